@@ -1,0 +1,24 @@
+#pragma once
+// One placement of a brush tip on the canvas (R21): what a stroke's path hands to the transfer.
+
+#include <cstdint>
+
+#include "core/vec.h"
+
+namespace pentimento {
+
+struct Stamp {
+  double x_m = 0;  // centre on the canvas, from the top left, y down; may lie off the canvas
+  double y_m = 0;
+  double time_s = 0;     // when on the stroke's path
+  float diameter_m = 0;  // > 0, of the unpressed brush
+  float pressure = -1;   // 0..1; negative = the device has none
+  float tilt_x_rad = 0;  // as W3C pointer events: positive = towards +x
+  float tilt_y_rad = 0;  // positive = towards the user, +y (down)
+  float twist_rad = 0;   // clockwise as seen by the painter
+  Vec2f direction;       // unit vector of travel, y down; (0,0) at the first stamp of a stroke
+  float travel_m = 0;    // arc length this stamp stands for (0 at the first)
+  Vec2f velocity_m_s;    // of the brush, y down
+};
+
+}  // namespace pentimento

@@ -1,0 +1,20 @@
+#include "core/fluid/brush_contact.h"
+
+namespace pentimento {
+
+BrushContact make_brush_contact(int width, int height) {
+  BrushContact c;
+  for (Field<float>* f :
+       {&c.weight, &c.velocity_x_m_s, &c.velocity_y_m_s, &c.push_x_m, &c.push_y_m})
+    *f = Field<float>(width, height);
+  return c;
+}
+
+void clear(BrushContact& c) {
+  for (Field<float>* f :
+       {&c.weight, &c.velocity_x_m_s, &c.velocity_y_m_s, &c.push_x_m, &c.push_y_m})
+    for (int y = c.row_begin; y < c.row_end; ++y) std::fill_n(f->row(y), f->width(), 0.0f);
+  c.row_begin = c.row_end = 0;
+}
+
+}  // namespace pentimento

@@ -1,0 +1,31 @@
+#pragma once
+// Where the brush touched the canvas during one step, and how it moved: what the stamps leave for
+// the fluid. Zero outside `rows`; cleared by the simulation after each step.
+
+#include <algorithm>
+
+#include "core/field.h"
+
+namespace pentimento {
+
+struct BrushContact {
+  Field<float> weight;          // [0,1] footprint of this step's stamps (the largest over stamps)
+  Field<float> velocity_x_m_s;  // of the brush, where weight > 0 (the last stamp's)
+  Field<float> velocity_y_m_s;  // y down
+  Field<float> push_x_m;        // sum over stamps of alpha ds direction e(r): `conservative`
+  Field<float> push_y_m;
+  int row_begin = 0, row_end = 0;  // rows touched; empty when equal
+
+  bool empty() const { return row_begin == row_end; }
+  void touch_rows(int begin, int end) {
+    if (begin >= end) return;
+    row_begin = empty() ? begin : std::min(row_begin, begin);
+    row_end = std::max(row_end, end);
+  }
+};
+
+BrushContact make_brush_contact(int width, int height);
+/// Back to untouched.
+void clear(BrushContact& contact);
+
+}  // namespace pentimento

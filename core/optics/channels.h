@@ -1,0 +1,43 @@
+#pragma once
+// What the channels of a layer mean (decisions: A26). Everything that moves, deposits, mixes or
+// merges paint treats channels alike, as linear amounts; only optics and the rheology ask this
+// basis. Two kinds: a channel per palette pigment (its amount), or "optical channels" (total
+// amount, amount-weighted K and S per band), which mix exactly alike (Duncan) at a cost that does
+// not grow with the palette.
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+namespace pentimento {
+
+/// A paint's absorption K and scattering S per band, for optical thickness 1.
+struct Pigment {
+  std::string name;
+  Eigen::VectorXd K;
+  Eigen::VectorXd S;
+};
+
+/// K c, S c and m c turn a cell's channel vector c into amount-weighted absorption, scattering and
+/// total pigment amount.
+struct ChannelBasis {
+  std::vector<std::string> name;  // per channel
+  Eigen::MatrixXd K;              // bands x channels
+  Eigen::MatrixXd S;              // bands x channels
+  Eigen::VectorXf amount;         // per channel: its share in the total amount (m)
+  Eigen::MatrixXf load;           // channels x pigments: the channels of amount 1 of each pigment
+  int channels() const { return static_cast<int>(name.size()); }
+  int bands() const { return static_cast<int>(K.rows()); }
+};
+
+/// The largest palette that gets one channel per pigment.
+inline constexpr int kMaxPaletteChannels = 8;
+
+/// One channel per pigment.
+ChannelBasis palette_channels(const std::vector<Pigment>& palette);
+/// 1 + 2 bands channels, whatever the palette's size: amount, K per band, S per band.
+ChannelBasis optical_channels(const std::vector<Pigment>& palette);
+/// Palette channels up to kMaxPaletteChannels pigments, optical ones beyond.
+ChannelBasis make_channels(const std::vector<Pigment>& palette);
+
+}  // namespace pentimento

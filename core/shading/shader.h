@@ -1,0 +1,51 @@
+#pragma once
+// A canvas state becomes a picture: Kubelka-Munk, irradiance, Torrance-Sparrow, reflection
+// (R29-R35) in GLSL, in tiles with borders, through an offscreen context. Any size; the picture's
+// pixels and the state's cells are independent (A38: bilinear state, normals from bicubic height).
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/canvas_state.h"
+#include "core/model.h"
+#include "core/optics/channels.h"
+#include "core/optics/lighting.h"
+#include "core/result.h"
+#include "core/shading/picture.h"
+
+namespace pentimento {
+
+enum class GlBackend { kAuto, kOsmesa, kEgl };
+
+struct ShadeRequest {
+  int width = 0;  // of the whole picture, pixels
+  int height = 0;
+  int crop_x = 0;  // the part that is shaded; crop_width 0 = all of it
+  int crop_y = 0;
+  int crop_width = 0;
+  int crop_height = 0;
+  int tile = 1024;                // side of a tile without its border, <= 4096
+  std::vector<std::string> aovs;  // groups: albedo normal height depth diffuse specular reflection
+                                  // wet pigment
+};
+
+class Shader {
+ public:
+  /// Opens the context. kAuto: OSMesa, then EGL. `gl_threads`: Mesa's own (0 = in the caller).
+  static Result<std::unique_ptr<Shader>> open(GlBackend backend, int gl_threads);
+  virtual ~Shader() = default;
+  /// Shades `state` into `sinks`, strip by strip. The first failing sink ends it.
+  virtual Result<void> shade(const CanvasState& state, const ChannelBasis& basis,
+                             const Model& model, const Lighting& lighting,
+                             const ShadeRequest& request,
+                             const std::vector<PictureSink*>& sinks) = 0;
+  /// For provenance: backend, renderer and version.
+  virtual std::string description() const = 0;
+};
+
+/// The channel names that `aovs` groups stand for, in order, after R, G, B. Error: unknown group.
+Result<std::vector<std::string>> aov_channels(const std::vector<std::string>& aovs,
+                                              const ChannelBasis& basis);
+
+}  // namespace pentimento

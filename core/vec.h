@@ -1,0 +1,14 @@
+#pragma once
+// Small vectors in core's frame: x to the right, y DOWN the canvas (row order), z out of the canvas
+// towards the viewer. Logs and dumps have y up for sensors and velocities; formats convert.
+
+namespace pentimento {
+
+struct Vec2f {
+  float x = 0, y = 0;
+};
+struct Vec3f {
+  float x = 0, y = 0, z = 0;
+};
+
+}  // namespace pentimento

@@ -1,0 +1,26 @@
+#pragma once
+// OpenEXR out: scene-linear, half or float, AOV layers, chromaticities, xDensity, provenance
+// attributes; streamed and published atomically.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/result.h"
+#include "formats/io/picture_file.h"
+
+namespace pentimento {
+
+struct ExrOptions {
+  int width = 0, height = 0;
+  bool full_float = false;
+  double dpi = 0;
+  std::vector<std::string> channels;  // in the order of the strips' planes: R, G, B, AOVs
+  Provenance provenance;
+  int threads = 1;
+  bool no_clobber = false;
+};
+
+Result<std::unique_ptr<PictureFile>> create_exr(const std::string& path, const ExrOptions& options);
+
+}  // namespace pentimento

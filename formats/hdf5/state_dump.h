@@ -1,0 +1,44 @@
+#pragma once
+// The HDF5 state dump of docs/state-format.md: everything needed to shade again, to compare and to
+// go on. Written as a core image, then published atomically; success is our verified rename.
+
+#include <string>
+
+#include "core/canvas_state.h"
+#include "core/model.h"
+#include "core/optics/channels.h"
+#include "core/optics/lighting.h"
+#include "core/result.h"
+#include "formats/io/picture_file.h"
+
+namespace pentimento {
+
+struct StateDump {
+  CanvasState state;
+  Model model;
+  ChannelBasis basis;
+  std::vector<Pigment> palette;
+  Lighting lighting;
+  double steps_per_second = 45;
+  double time_s = 0;
+  std::string log_sha256;
+  std::string state_sha256;  // reader: as stored; writer: computed
+};
+
+struct DumpOptions {
+  int threads = 1;
+  int deflate_level = 1;
+  Provenance provenance;
+  bool no_clobber = false;
+};
+
+/// SHA-256 (hex) of the state's values, as docs/state-format.md defines it: the same for any
+/// number of threads, chunking and file.
+std::string state_sha256(const CanvasState& state);
+
+Result<Published> write_state(const std::string& path, const StateDump& dump,
+                              const DumpOptions& options);
+/// Errors: kBadInput with the reason (not a dump, newer version, wrong shape, a hash that differs).
+Result<StateDump> read_state(const std::string& path);
+
+}  // namespace pentimento
