@@ -1,0 +1,53 @@
+#include "formats/io/sha256.h"
+
+#include <openssl/evp.h>
+
+#include <array>
+
+#include "core/check.h"
+
+namespace pentimento {
+
+struct Sha256::Digest {
+  EVP_MD_CTX* context = EVP_MD_CTX_new();
+  Digest() { PENTIMENTO_CHECK(context != nullptr); }
+  ~Digest() { EVP_MD_CTX_free(context); }
+  Digest(const Digest&) = delete;
+  Digest& operator=(const Digest&) = delete;
+};
+
+Sha256::Sha256() : digest_(std::make_unique<Digest>()) {
+  PENTIMENTO_CHECK(EVP_DigestInit_ex(digest_->context, EVP_sha256(), nullptr) == 1);
+}
+Sha256::~Sha256() = default;
+Sha256::Sha256(Sha256&&) noexcept = default;
+Sha256& Sha256::operator=(Sha256&&) noexcept = default;
+
+void Sha256::update(const void* bytes, std::size_t count) {
+  PENTIMENTO_CHECK(EVP_DigestUpdate(digest_->context, bytes, count) == 1);
+}
+
+std::string Sha256::hex() const {
+  // A copy is finished, so that the original can go on.
+  Digest copy;
+  std::array<unsigned char, EVP_MAX_MD_SIZE> bytes{};
+  unsigned int count = 0;
+  PENTIMENTO_CHECK(EVP_MD_CTX_copy_ex(copy.context, digest_->context) == 1);
+  PENTIMENTO_CHECK(EVP_DigestFinal_ex(copy.context, bytes.data(), &count) == 1);
+  static constexpr char kDigits[] = "0123456789abcdef";
+  std::string text;
+  text.reserve(2 * count);
+  for (unsigned int i = 0; i < count; ++i) {
+    text += kDigits[bytes[i] >> 4];
+    text += kDigits[bytes[i] & 15];
+  }
+  return text;
+}
+
+std::string sha256_hex(std::string_view bytes) {
+  Sha256 sha;
+  sha.update(bytes);
+  return sha.hex();
+}
+
+}  // namespace pentimento
