@@ -1,0 +1,60 @@
+#include "formats/log/slider_fields.h"
+
+#include "core/check.h"
+#include "formats/log/model_fields.h"
+
+namespace pentimento::log {
+
+namespace {
+
+using enum ParameterKind;
+
+const SliderField kFields[] = {
+    {{"medium", "of max_medium", kNumber, 0, 1, {}, "half a full brush"},
+     &BrushSettings::medium_frac},
+    {{"pigment", "of max_pigment", kNumber, 0, 1, {}, "covers in one pass"},
+     &BrushSettings::pigment_frac},
+    {{"size", "m", kNumber, 1e-5, 100, {}, "diameter; 3 % of the model canvas"},
+     &BrushSettings::size_m},
+    {{"pickup", "per diameter", kNumber, 0, 1, {}, "marbles without wiping clean"},
+     &BrushSettings::pickup},
+    {{"refill", "per 0.1 diameter", kNumber, 0, 1, {}, "5 % per stamp in the paper"},
+     &BrushSettings::refill},
+    {{"stiffness", "", kNumber, 0, 1, {}, "a brush of middling bristle"},
+     &BrushSettings::stiffness},
+    {{"layer_mixing", "per diameter", kNumber, 0, 1, {}, "layers blend within a few passes"},
+     &BrushSettings::layer_mixing},
+    {{"spacing", "diameters", kNumber, 1e-3, 10, {}, "wider prints a chain of tip marks"},
+     &BrushSettings::spacing},
+};
+
+const SliderField* find_slider_field(std::string_view name) {
+  for (const SliderField& field : kFields) {
+    if (field.name == name) return &field;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+std::span<const SliderField> slider_fields() {
+  return kFields;
+}
+
+const Parameter* find_slider(std::string_view name) {
+  if (const SliderField* field = find_slider_field(name)) return field;
+  const ModelField* field = find_model_field(name);
+  return field != nullptr && field->while_painting ? field : nullptr;
+}
+
+void apply_slider(std::string_view name, double value, BrushSettings& brush, Model& model) {
+  if (const SliderField* field = find_slider_field(name)) {
+    brush.*(field->member) = static_cast<float>(value);
+    return;
+  }
+  const ModelField* field = find_model_field(name);
+  PENTIMENTO_CHECK(field != nullptr);
+  set_model_value(*field, model, value);
+}
+
+}  // namespace pentimento::log
