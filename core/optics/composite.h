@@ -1,0 +1,42 @@
+#pragma once
+// Wet paint over what is dry, as one reflectance per band: what drying leaves on the canvas (R20,
+// R31). It reaches the state, so: float, fixed order, no C library functions. The GLSL shader
+// computes the same for pictures.
+
+#include <Eigen/Core>
+#include <span>
+
+#include "core/canvas_state.h"
+#include "core/model.h"
+#include "core/optics/channels.h"
+
+namespace pentimento {
+
+/// Below this pigment amount a layer counts as empty: it neither shares the depth of its cell nor
+/// colours it (A23, R31).
+inline constexpr float kEmptyLayerAmount = 1e-7f;
+
+/// How channel amounts become K x and S x, in float, ready for rows.
+struct CompositeOptics {
+  Eigen::MatrixXf K;       // bands x channels
+  Eigen::MatrixXf S;       // bands x channels
+  Eigen::VectorXf amount;  // per channel
+  OpticalThickness thickness = OpticalThickness::kAmount;
+  float per_reference = 1;  // 1 / pigment_reference or 1 / depth_reference_m
+};
+
+/// The basis and the model as the rows need them.
+CompositeOptics make_composite_optics(const ChannelBasis& basis, const Model& model);
+
+/// Reflectance of row y: the state's layers, bottom first, over its dry reflectance.
+///   per layer, kAmount (A28): K x = M_K c / P_ref, S x = M_S c / P_ref
+///   per layer, kDepth: K x = (M_K c / P)(d / occupied layers) / d_ref, same for S, P = m c
+///   film and stack as in kubelka_munk.h
+/// Scheme: pointwise. Stability: any finite c, d >= 0; the result is in [0,1].
+/// Source: R20, R31; Kubelka-Munk (Curtis et al. 1997, sec. 5.2).
+/// Departs from it: layers under kEmptyLayerAmount are left out.
+/// `reflectance` has one row of the grid's width per band; it may be the state's own.
+void composite_row(const CompositeOptics& optics, const CanvasState& state, int y,
+                   std::span<float* const> reflectance);
+
+}  // namespace pentimento
