@@ -1,0 +1,67 @@
+#include "core/fluid/rheology.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace pentimento {
+
+namespace {
+
+/// Where theta stands between alpha and beta, in [0,1]; infinity gives 1.
+float between(const Rheology& r, float theta_per_m) {
+  const float t = (theta_per_m - r.alpha_per_m) / (r.beta_per_m - r.alpha_per_m);
+  return std::min(std::max(t, 0.0f), 1.0f);
+}
+
+float smooth_step(float t) {
+  return t * t * (3.0f - 2.0f * t);
+}
+
+float mixed_viscosity(const Rheology& r, float t) {
+  return r.nu_min_m2_s + t * (r.nu_max_m2_s - r.nu_min_m2_s);
+}
+
+}  // namespace
+
+float pigment_per_volume(float amount, float depth_m) {
+  const float bare = amount > 0.0f ? std::numeric_limits<float>::infinity() : 0.0f;
+  return depth_m > 0.0f ? amount / depth_m : bare;
+}
+
+float Rheology::stiffness(float theta_per_m) const {
+  return smooth_step(between(*this, theta_per_m));
+}
+
+float Rheology::viscosity_m2_s(float theta_per_m) const {
+  return mixed_viscosity(*this, between(*this, theta_per_m));
+}
+
+Rheology make_rheology(const Model& model) {
+  return {model.alpha_per_m(), model.beta_per_m(), model.nu_min_m2_s, model.nu_max_m2_s};
+}
+
+void total_amount_row(const CanvasState& state, const std::vector<float>& amount, int y, int begin,
+                      int end, std::span<float> out) {
+  const auto count = static_cast<std::size_t>(end - begin);
+  std::fill_n(out.begin(), count, 0.0f);
+  for (int layer = 0; layer < state.layers; ++layer)
+    for (int c = 0; c < state.channels; ++c) {
+      const float share = amount[static_cast<std::size_t>(c)];
+      if (share == 0.0f) continue;
+      const float* pigment = state.channel(layer, c).row(y) + begin;
+      for (std::size_t i = 0; i < count; ++i) out[i] += share * pigment[i];
+    }
+}
+
+void rheology_row(const Rheology& rheology, float dry_film_m, std::span<const float> depth_m,
+                  std::span<const float> amount, std::span<float> mobility_frac,
+                  std::span<float> viscosity_m2_s) {
+  const Rheology r = rheology;
+  for (std::size_t i = 0; i < depth_m.size(); ++i) {
+    const float t = between(r, pigment_per_volume(amount[i], depth_m[i]));
+    mobility_frac[i] = depth_m[i] < dry_film_m ? 0.0f : 1.0f - smooth_step(t);
+    viscosity_m2_s[i] = mixed_viscosity(r, t);
+  }
+}
+
+}  // namespace pentimento
