@@ -16,8 +16,10 @@ struct Stamp {
   float tilt_x_rad = 0;  // as W3C pointer events: positive = towards +x
   float tilt_y_rad = 0;  // positive = towards the user, +y (down)
   float twist_rad = 0;   // clockwise as seen by the painter
-  Vec2f direction;       // unit vector of travel, y down; (0,0) at the first stamp of a stroke
-  float travel_m = 0;    // arc length this stamp stands for (0 at the first)
+  Vec2f direction;       // unit vector of travel, y down; (0,0) for a tap
+  Vec2f heading;         // direction smoothed along the path, for tips that turn with the stroke;
+                         // does not turn round when the brush is pulled back; (0,0) for a tap
+  float travel_m = 0;    // arc length this stamp stands for, >= 0
   Vec2f velocity_m_s;    // of the brush, y down
 };
 

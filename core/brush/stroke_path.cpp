@@ -1,0 +1,252 @@
+#include "core/brush/stroke_path.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/check.h"
+
+namespace pentimento {
+
+namespace {
+constexpr double kPauseFrac = 1e-4;    // of the diameter: smaller moves are the hand's tremble
+constexpr double kTapFrac = 0.5;       // of the diameter: what the shortest touch lays
+constexpr double kHeadingFrac = 0.25;  // of the diameter: length over which a tip turns
+constexpr double kChordsPerStamp = 4;  // a chord's sagitta is then far below a cell
+constexpr int kMinChords = 4;
+constexpr int kMaxChords = 4096;
+constexpr double kFarthest = 1000;      // canvas sizes: what is farther away is taken to be there
+constexpr double kShortestTime = 1e-3;  // between samples: devices deliver several at one time
+
+double length(double x, double y) {
+  return std::sqrt(x * x + y * y);
+}
+/// |(x, y)|^(1/2), the knot distance of the centripetal parameterisation.
+double knot_distance(double x, double y) {
+  return std::sqrt(length(x, y));
+}
+float mix(float a, float b, float u) {
+  return a + (b - a) * u;
+}
+float mix_pressure(float a, float b, float u) {
+  if (a < 0) return b;
+  return b < 0 ? a : mix(a, b, u);
+}
+float mix_angle(float a, float b, float u) {
+  constexpr float kPi = 3.14159265f;
+  float turn = b - a;
+  if (turn > kPi) turn -= 2 * kPi;
+  if (turn < -kPi) turn += 2 * kPi;
+  return a + turn * u;
+}
+
+/// What is interpolated along a segment (all but the place).
+Stamp stamp_between(const TouchSample& from, const TouchSample& to, double at) {
+  const float u = static_cast<float>(at);
+  Stamp s;
+  s.time_s = from.time_s + (to.time_s - from.time_s) * at;
+  s.diameter_m = mix(from.diameter_m, to.diameter_m, u);
+  s.pressure = mix_pressure(from.pressure, to.pressure, u);
+  s.tilt_x_rad = mix(from.tilt_x_rad, to.tilt_x_rad, u);
+  s.tilt_y_rad = mix(from.tilt_y_rad, to.tilt_y_rad, u);
+  s.twist_rad = mix_angle(from.twist_rad, to.twist_rad, u);
+  return s;
+}
+}  // namespace
+
+StrokePath::StrokePath(double spacing_frac, double width_m, double height_m)
+    : spacing_frac_(spacing_frac), width_m_(width_m), height_m_(height_m) {
+  PENTIMENTO_CHECK(spacing_frac > 0 && width_m > 0 && height_m > 0);
+}
+
+void StrokePath::set_spacing(double spacing_frac) {
+  PENTIMENTO_CHECK(spacing_frac > 0);
+  spacing_frac_ = spacing_frac;
+}
+
+TouchSample StrokePath::within_reach(TouchSample sample) const {
+  PENTIMENTO_CHECK(sample.diameter_m > 0 && std::isfinite(sample.x_m) && std::isfinite(sample.y_m));
+  sample.x_m = std::clamp(sample.x_m, -kFarthest * width_m_, kFarthest * width_m_);
+  sample.y_m = std::clamp(sample.y_m, -kFarthest * height_m_, kFarthest * height_m_);
+  return sample;
+}
+
+void StrokePath::begin(const TouchSample& device_sample) {
+  const TouchSample sample = within_reach(device_sample);
+  knots_ = 1;
+  knot_[2] = {sample, sample};
+  progress_ = travel_m_ = total_m_ = 0;
+  final_until_s_ = sample.time_s;
+  heading_ = {};
+}
+
+void StrokePath::add(const TouchSample& device_sample, std::vector<Stamp>& out) {
+  PENTIMENTO_CHECK(knots_ > 0);
+  const TouchSample sample = within_reach(device_sample);
+  Knot& end = knot_[2];
+  const double dx = sample.x_m - end.arrive.x_m;
+  const double dy = sample.y_m - end.arrive.y_m;
+  if (length(dx, dy) < kPauseFrac * sample.diameter_m) {
+    const TouchSample place = end.arrive;
+    end.leave = sample;
+    end.leave.x_m = place.x_m;
+    end.leave.y_m = place.y_m;
+    return;
+  }
+  if (knots_ >= 2) run(pending_segment({sample.x_m, sample.y_m}), out);
+  knot_[0] = knot_[1];
+  knot_[1] = knot_[2];
+  knot_[2] = {sample, sample};
+  knots_ = std::min(knots_ + 1, 3);
+}
+
+void StrokePath::finish(std::vector<Stamp>& out) {
+  PENTIMENTO_CHECK(knots_ > 0);
+  const TouchSample& b = knot_[2].arrive;
+  Stamp last = stamp_between(b, knot_[2].leave, 1.0);
+  if (knots_ >= 2) {
+    const TouchSample& a = knot_[1].leave;
+    const Segment segment = pending_segment({2 * b.x_m - a.x_m, 2 * b.y_m - a.y_m});
+    run(segment, out);
+    const Point m1{segment.m0.x + 2 * segment.c2.x + 3 * segment.c3.x,
+                   segment.m0.y + 2 * segment.c2.y + 3 * segment.c3.y};
+    const double m = length(m1.x, m1.y);
+    if (m > 0) last.direction = {static_cast<float>(m1.x / m), static_cast<float>(m1.y / m)};
+  }
+  const double travel_m = travel_m_ + std::max(0.0, kTapFrac * b.diameter_m - total_m_);
+  const Span near = near_canvas({b.x_m, b.y_m}, {0, 0}, b.diameter_m);
+  if (travel_m > kPauseFrac * b.diameter_m && near.from <= near.to) {
+    turn_heading(last.direction, travel_m_, b.diameter_m);
+    last.x_m = b.x_m;
+    last.y_m = b.y_m;
+    last.heading = heading_;
+    last.travel_m = static_cast<float>(travel_m);
+    out.push_back(last);
+  }
+  final_until_s_ = knot_[2].leave.time_s;
+  knots_ = 0;
+}
+
+StrokePath::Point StrokePath::Segment::at(double u) const {
+  return {from.x_m + u * (m0.x + u * (c2.x + u * c3.x)),
+          from.y_m + u * (m0.y + u * (c2.y + u * c3.y))};
+}
+
+/// The cubic between the last two knots, `p3` being the place after them. Its end slopes are those
+/// of the non-uniform Catmull-Rom spline: m = h12 [(p1-p0)/h01 - (p2-p0)/(h01+h12) + (p2-p1)/h12],
+/// h the knot distances.
+StrokePath::Segment StrokePath::pending_segment(const Point& p3) const {
+  Segment s;
+  s.from = knot_[1].leave;
+  s.to = knot_[2].arrive;
+  const Point p1{s.from.x_m, s.from.y_m};
+  const Point p2{s.to.x_m, s.to.y_m};
+  const TouchSample& before = knot_[0].arrive;
+  const Point p0 =
+      knots_ == 3 ? Point{before.x_m, before.y_m} : Point{2 * p1.x - p2.x, 2 * p1.y - p2.y};
+  const double h01 = knot_distance(p1.x - p0.x, p1.y - p0.y);
+  const double h12 = knot_distance(p2.x - p1.x, p2.y - p1.y);
+  const double h23 = knot_distance(p3.x - p2.x, p3.y - p2.y);
+  const auto start_slope = [&](double a, double b, double c) {
+    return h12 * ((b - a) / h01 - (c - a) / (h01 + h12) + (c - b) / h12);
+  };
+  const auto end_slope = [&](double b, double c, double d) {
+    return h12 * ((c - b) / h12 - (d - b) / (h12 + h23) + (d - c) / h23);
+  };
+  s.m0 = {start_slope(p0.x, p1.x, p2.x), start_slope(p0.y, p1.y, p2.y)};
+  const Point m1{end_slope(p1.x, p2.x, p3.x), end_slope(p1.y, p2.y, p3.y)};
+  const Point d{p2.x - p1.x, p2.y - p1.y};
+  s.c2 = {3 * d.x - 2 * s.m0.x - m1.x, 3 * d.y - 2 * s.m0.y - m1.y};
+  s.c3 = {s.m0.x + m1.x - 2 * d.x, s.m0.y + m1.y - 2 * d.y};
+  s.chord_m = length(d.x, d.y);
+  return s;
+}
+
+/// Walks a segment in chords, short beside the distance of stamps.
+void StrokePath::run(const Segment& segment, std::vector<Stamp>& out) {
+  const double step_m = spacing_frac_ * std::min(segment.from.diameter_m, segment.to.diameter_m);
+  const double wanted = kChordsPerStamp * segment.chord_m / step_m;
+  const int chords =
+      wanted >= kMaxChords ? kMaxChords : std::max(kMinChords, static_cast<int>(wanted) + 1);
+  Point a = segment.at(0);
+  for (int i = 0; i < chords; ++i) {
+    const double u0 = static_cast<double>(i) / chords;
+    const double u1 = static_cast<double>(i + 1) / chords;
+    const Point b = segment.at(u1);
+    run_chord(segment, u0, u1, a, b, out);
+    a = b;
+  }
+  final_until_s_ = segment.to.time_s;
+}
+
+/// Places the stamps of one straight piece. The part that the tip cannot reach the canvas from is
+/// stepped over at once, so that a jump across the room costs no more than one across the canvas.
+void StrokePath::run_chord(const Segment& segment, double u0, double u1, const Point& a,
+                           const Point& b, std::vector<Stamp>& out) {
+  const Point d{b.x - a.x, b.y - a.y};
+  const double chord_m = length(d.x, d.y);
+  if (!(chord_m > 0)) return;
+  const double diameter_m = stamp_between(segment.from, segment.to, 0.5 * (u0 + u1)).diameter_m;
+  const double step_m = spacing_frac_ * diameter_m;
+  const Vec2f direction{static_cast<float>(d.x / chord_m), static_cast<float>(d.y / chord_m)};
+  const double duration_s =
+      std::max(kShortestTime, segment.to.time_s - segment.from.time_s) * (u1 - u0);
+  const float speed = static_cast<float>(chord_m / duration_s);
+
+  const Span near = near_canvas(a, d, diameter_m);
+  double at_m = (1 - progress_) * step_m;
+  double travel_m = travel_m_ + at_m;
+  if (at_m < near.from * chord_m) {
+    at_m += std::ceil((near.from * chord_m - at_m) / step_m) * step_m;
+    travel_m = step_m;
+  }
+  for (; at_m <= near.to * chord_m; at_m += step_m, travel_m = step_m) {
+    turn_heading(direction, travel_m, diameter_m);
+    Stamp s = stamp_between(segment.from, segment.to, u0 + (u1 - u0) * (at_m / chord_m));
+    s.x_m = a.x + d.x * (at_m / chord_m);
+    s.y_m = a.y + d.y * (at_m / chord_m);
+    s.direction = direction;
+    s.heading = heading_;
+    s.travel_m = static_cast<float>(travel_m);
+    s.velocity_m_s = {direction.x * speed, direction.y * speed};
+    out.push_back(s);
+  }
+  total_m_ += chord_m;
+  const double ahead = progress_ + chord_m / step_m;
+  progress_ = ahead - std::floor(ahead);
+  travel_m_ = ahead < 1 ? travel_m_ + chord_m : progress_ * step_m;
+}
+
+/// The tip follows the line of travel, whichever way along it the brush is pulled.
+void StrokePath::turn_heading(const Vec2f& direction, double travel_m, double diameter_m) {
+  if (heading_.x == 0 && heading_.y == 0) {
+    heading_ = direction;
+    return;
+  }
+  const float along = heading_.x * direction.x + heading_.y * direction.y;
+  const float sign = along < 0 ? -1.0f : 1.0f;
+  const float k = static_cast<float>(travel_m / (travel_m + kHeadingFrac * diameter_m));
+  const float x = heading_.x + k * (sign * direction.x - heading_.x);
+  const float y = heading_.y + k * (sign * direction.y - heading_.y);
+  const float norm = std::sqrt(x * x + y * y);
+  if (norm > 0) heading_ = {x / norm, y / norm};
+}
+
+/// The share [from, to] of a -> a + d that is within `reach_m` of the canvas, empty if from > to.
+StrokePath::Span StrokePath::near_canvas(const Point& a, const Point& d, double reach_m) const {
+  Span span;
+  const auto clip = [&](double at, double by, double size) {
+    const double low = -reach_m - at;
+    const double high = size + reach_m - at;
+    if (by == 0) {
+      if (low > 0 || high < 0) span = {2, -1};
+      return;
+    }
+    span.from = std::max(span.from, std::min(low / by, high / by));
+    span.to = std::min(span.to, std::max(low / by, high / by));
+  };
+  clip(a.x, d.x, width_m_);
+  clip(a.y, d.y, height_m_);
+  return span;
+}
+
+}  // namespace pentimento

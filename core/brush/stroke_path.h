@@ -1,0 +1,89 @@
+#pragma once
+// The path of one touch as a stream: samples of the device go in, evenly spaced stamps come out.
+//   Curve: centripetal Catmull-Rom through the samples, t_{i+1} = t_i + |p_{i+1} - p_i|^(1/2),
+//   which neither loops nor overshoots between uneven samples (Yuksel, Schaefer, Keyser, CAD 43,
+//   2011); the ends are continued by reflection. Stamps: one each time the arc length grows by
+//   `spacing` diameters; what is left over is carried from sample to sample, so that the stamps do
+//   not depend on the device's rate.
+// A segment is final once the sample after its end is known: stamps come one sample late.
+// Only + - * / sqrt: the stamps are the same bits everywhere. Not thread-safe.
+
+#include <vector>
+
+#include "core/brush/stamp.h"
+
+namespace pentimento {
+
+/// What the device said at one moment, in the frame of Stamp.
+struct TouchSample {
+  double x_m = 0;
+  double y_m = 0;
+  double time_s = 0;
+  float diameter_m = 0.03f;  // > 0, of the unpressed brush
+  float pressure = -1;       // 0..1; negative = the device has none
+  float tilt_x_rad = 0;
+  float tilt_y_rad = 0;
+  float twist_rad = 0;
+};
+
+class StrokePath {
+ public:
+  /// Stamps whose tip cannot reach the canvas of width_m x height_m are left out, however long the
+  /// way outside. `spacing_frac` > 0, in diameters.
+  StrokePath(double spacing_frac, double width_m, double height_m);
+
+  /// From the next segment on.
+  void set_spacing(double spacing_frac);
+
+  /// The touch goes down.
+  void begin(const TouchSample& device_sample);
+  /// It moves; the stamps that are final now are appended to `out`. A move of less than 1e-4
+  /// diameters is a pause: it changes pressure, tilt and time, not the path.
+  void add(const TouchSample& device_sample, std::vector<Stamp>& out);
+  /// It lifts; the rest of the stamps. A stroke shorter than half a diameter, a tap above all, is
+  /// completed to the paint of half a diameter in its last stamp.
+  void finish(std::vector<Stamp>& out);
+
+  /// All stamps before this time have come out.
+  double final_until_s() const { return final_until_s_; }
+
+ private:
+  struct Knot {
+    TouchSample arrive, leave;  // same place; they differ after a pause
+  };
+  struct Point {
+    double x = 0, y = 0;
+  };
+  /// Start to end: the cubic's position is start + u (m0 + u (c2 + u c3)), u in [0,1].
+  struct Segment {
+    TouchSample from, to;
+    Point m0, c2, c3;
+    double chord_m = 0;
+    Point at(double u) const;
+  };
+
+  struct Span {
+    double from = 0, to = 1;
+  };
+
+  TouchSample within_reach(TouchSample sample) const;
+  Segment pending_segment(const Point& p3) const;
+  void run(const Segment& segment, std::vector<Stamp>& out);
+  void run_chord(const Segment& segment, double u0, double u1, const Point& a, const Point& b,
+                 std::vector<Stamp>& out);
+  void turn_heading(const Vec2f& direction, double travel_m, double diameter_m);
+  Span near_canvas(const Point& a, const Point& d, double reach_m) const;
+
+  double spacing_frac_;
+  double width_m_;
+  double height_m_;
+  int knots_ = 0;        // how many of the three below are set, the newest last
+  Knot knot_[3];         // before the pending segment, its start, its end
+  double progress_ = 0;  // towards the next stamp, [0,1)
+  double travel_m_ = 0;  // since the last stamp
+  double total_m_ = 0;   // since the touch went down
+  double final_until_s_ = 0;
+  Vec2f heading_;
+};
+
+}  // namespace pentimento
