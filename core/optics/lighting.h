@@ -9,20 +9,35 @@
 
 namespace pentimento {
 
-/// Nine RGB radiance coefficients, order L00 L1-1 L10 L11 L2-2 L2-1 L20 L21 L22 (model.md II.3).
+/// Nine RGB radiance coefficients, order L00 L1-1 L10 L11 L2-2 L2-1 L20 L21 L22 (RH01).
 struct ShCoefficients {
   std::array<std::array<float, 3>, 9> L{};
 };
+
+/// The default environment: a pale room with one broad soft source at the upper left. Radiance
+/// 0.42 + 0.30 (d . s), s = (-.45, .55, .70) normalised, a little cooler than the lamp. Strength
+/// chosen by eye together with the default lamp (docs/optics.md).
+inline constexpr ShCoefficients kStudioEnvironment{{{{1.459f, 1.489f, 1.548f},
+                                                     {0.336f, 0.338f, 0.345f},
+                                                     {0.428f, 0.430f, 0.438f},
+                                                     {-0.275f, -0.276f, -0.282f},
+                                                     {},
+                                                     {},
+                                                     {},
+                                                     {},
+                                                     {}}}};
 
 /// One directional lamp. `direction` points towards the lamp, unit length.
 struct Lamp {
   std::array<float, 3> direction = {-0.48f, 0.60f, 0.64f};  // top left
   float intensity = 1.0f;                                   // irradiance at normal incidence / pi
   std::array<float, 3> color = {1, 1, 1};
-  bool follows_gravity = false;  // fixed in the room: turns against the tablet (A31)
+  bool follows_gravity = false;  // fixed in the room: turns against the tablet (lamp.h)
 };
 
 /// The front camera's picture (R34), linear RGB, row 0 on top; empty = reflect the SH light.
+/// `mirror`: the picture is as the camera sees it, so what is at the viewer's right lies in its
+/// left half; false: already mirrored, as cameras show it to who stands before them.
 struct ReflectionMap {
   std::array<Field<float>, 3> rgb;
   float fov_deg = 60;  // horizontal
@@ -31,7 +46,7 @@ struct ReflectionMap {
 
 struct Lighting {
   Lamp lamp;
-  ShCoefficients environment;
+  ShCoefficients environment = kStudioEnvironment;
   ReflectionMap reflection;
   float roughness_wet = 0.25f;  // Beckmann a
   float roughness_dry = 0.45f;

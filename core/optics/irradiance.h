@@ -1,0 +1,31 @@
+#pragma once
+// Diffuse light from all around as nine spherical harmonics (Ramamoorthi and Hanrahan 2001), and
+// the projection of a panorama onto them. For pictures only: nothing here reaches the state.
+
+#include <array>
+
+#include "core/field.h"
+#include "core/optics/lighting.h"
+
+namespace pentimento {
+
+/// Irradiance on a surface with unit normal `n`, per RGB, never below 0 (nine terms can dip under:
+/// opposite a point light). Source: RH01, eq. 13. Radiance 1 all around gives pi.
+std::array<float, 3> sh_irradiance(const ShCoefficients& light, std::array<float, 3> n);
+
+/// Radiance from unit direction `d`, as blurred as nine terms are, never below 0.
+std::array<float, 3> sh_radiance(const ShCoefficients& light, std::array<float, 3> d);
+
+/// The nine real spherical harmonics at unit direction `d`, in the order of ShCoefficients.
+std::array<double, 9> sh_basis(std::array<double, 3> d);
+
+/// Unit direction in the viewer's frame of the point (u, v) of a panorama, u, v in [0,1] from its
+/// top left. The panorama is as seen by someone at the canvas: its centre (0.5, 0.5) is +z, towards
+/// the viewer; its top is +y; its right half lies at -x, to the right of who looks along +z.
+std::array<double, 3> panorama_direction(double u, double v);
+
+/// Coefficients of an equirectangular panorama in linear RGB: each pixel weighted with its exact
+/// solid angle, summed in double, row by row. Planes of equal size, at least 1 x 1.
+ShCoefficients project_panorama(const std::array<FieldView<const float>, 3>& rgb);
+
+}  // namespace pentimento
