@@ -51,7 +51,7 @@ def paint_sky(p):
         ends = [(-0.03, 0.36), (0.3, 0.7), (0.64, 1.03)]
         for x0, x1 in (ends if n % 2 == 0 else [(b, a) for a, b in reversed(ends)]):
             p.stroke([(x0, y + p.vary(0.006)), ((x0 + x1) / 2, y + p.vary(0.01)),
-                      (x1, y + p.vary(0.006))], speed=0.66, twist=90)
+                      (x1, y + p.vary(0.006))], speed=0.66)
     p.brush("round", size=0.03, medium=0.8, pigment=1.0)
     p.color("cadmium yellow")  # the sun, wound from the middle outwards
     p.stroke([(0.3 + 0.0028 * k * math.cos(k), 0.3 + 0.0028 * k * math.sin(k)) for k in range(9)],
@@ -82,7 +82,7 @@ def paint_hills(p):
             for x0, x1 in [(-0.02, 0.28), (0.24, 0.54), (0.5, 0.8), (0.76, 1.02)]:
                 xs = [x0 + (x1 - x0) * k / 4 for k in range(5)]
                 p.stroke([(x, hill_line(x, base, height, phase) + 0.024 + 0.035 * row)
-                          for x in xs], speed=0.55, twist=80)
+                          for x in xs], speed=0.55)
         p.color(light)
         p.recording.slider(size=0.022)
         for n in range(7):  # light on the slopes, falling with them
@@ -163,7 +163,7 @@ def paint_tree(p):
     p.color("umber")
     for dx in (0.0, 0.012, -0.008):
         p.stroke([(0.83 + dx, 0.66), (0.826 + dx, 0.56), (0.838 + 0.6 * dx, 0.46),
-                  (0.845 + 0.3 * dx, 0.37)], speed=0.3, pressure=0.8, twist=10)
+                  (0.845 + 0.3 * dx, 0.37)], speed=0.3, pressure=0.8)
     p.brush("round", size=0.013)
     for x0, y0, x1, y1 in [(0.832, 0.5, 0.75, 0.4), (0.84, 0.46, 0.91, 0.37), (0.842, 0.42, 0.8, 0.33),
                            (0.845, 0.4, 0.885, 0.31), (0.835, 0.53, 0.925, 0.45)]:
