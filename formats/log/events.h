@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "core/model.h"
-#include "core/vec.h"
 
 namespace pentimento::log {
 
@@ -31,6 +30,7 @@ struct PigmentSpec {
   bool library = false;  // `name` is of the built-in library
 };
 
+/// A tip of the log's own: a built-in shape or a texture, with what differs from the defaults.
 struct BrushSpec {
   std::string name;
   std::string shape;    // a built-in shape, or empty when `texture` is given
@@ -57,6 +57,7 @@ struct Header {
   std::vector<BrushSpec> brushes;
   Model model;
   std::string title, author, recorded_by, recorded_at;
+  std::string extensions;  // members named x-..., as "x-a":1,"x-b":[2]; kept, ignored by the replay
 };
 
 enum class TouchPhase { kDown, kMove, kUp, kCancel };
@@ -122,6 +123,7 @@ struct Event {
   std::int64_t time_us = 0;  // from the start, rounded
   std::int64_t line = 0;     // of the log, 1 = header
   Action action;
+  std::string extensions;  // as in Header
 };
 
 }  // namespace pentimento::log

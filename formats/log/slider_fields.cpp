@@ -47,6 +47,15 @@ const Parameter* find_slider(std::string_view name) {
   return field != nullptr && field->while_painting ? field : nullptr;
 }
 
+std::vector<std::string_view> slider_names() {
+  std::vector<std::string_view> names;
+  for (const SliderField& field : kFields) names.push_back(field.name);
+  for (const ModelField& field : model_fields()) {
+    if (field.while_painting) names.push_back(field.name);
+  }
+  return names;
+}
+
 void apply_slider(std::string_view name, double value, BrushSettings& brush, Model& model) {
   if (const SliderField* field = find_slider_field(name)) {
     brush.*(field->member) = static_cast<float>(value);

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/brush/brush_settings.h"
 #include "core/model.h"
@@ -21,6 +22,9 @@ std::span<const SliderField> slider_fields();
 
 /// The parameter that a `slider` event of this name sets, of either table; nullptr if none.
 const Parameter* find_slider(std::string_view name);
+
+/// All names that find_slider() knows.
+std::vector<std::string_view> slider_names();
 
 /// Sets the slider `name` (find_slider() knows it, and `value` passed value_problem()).
 void apply_slider(std::string_view name, double value, BrushSettings& brush, Model& model);

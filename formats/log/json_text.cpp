@@ -1,0 +1,32 @@
+#include "formats/log/json_text.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+
+namespace pentimento::log {
+
+void append_json_string(std::string& json, std::string_view text) {
+  json += '"';
+  for (const char c : text) {
+    if (c == '"' || c == '\\') {
+      json += '\\';
+      json += c;
+    } else if (static_cast<unsigned char>(c) < 0x20) {
+      fmt::format_to(std::back_inserter(json), "\\u{:04x}", static_cast<unsigned int>(c));
+    } else {
+      json += c;
+    }
+  }
+  json += '"';
+}
+
+void append_json_number(std::string& json, double value) {
+  // The longest shortest form of a double has 24 characters.
+  std::array<char, 32> digits{};
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+  json.append(digits.data(), end);
+}
+
+}  // namespace pentimento::log

@@ -1,0 +1,14 @@
+#pragma once
+// For messages about a misspelt name.
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace pentimento {
+
+/// ` (did you mean "pressure"?)` for the candidate nearest to `name`, if one is near; else empty.
+/// Near: at most a third of the letters, and no more than 3, inserted, deleted or replaced.
+std::string did_you_mean(std::string_view name, std::span<const std::string_view> candidates);
+
+}  // namespace pentimento
