@@ -1,0 +1,56 @@
+#pragma once
+// How the kernels of this folder see the grid: a row with its two neighbours, and a range of
+// columns. At the canvas edge the neighbour outside is the edge cell itself: no gradient there
+// (R16), and since the normal velocity of edge cells is 0, no flux either.
+
+#include <algorithm>
+
+#include "core/field.h"
+
+namespace pentimento::paper {
+
+/// Cells [begin, end) of a row.
+struct Columns {
+  int begin = 0, end = 0;
+  bool empty() const { return begin >= end; }
+  std::size_t count() const { return empty() ? 0 : static_cast<std::size_t>(end - begin); }
+};
+
+/// The smallest range that holds both.
+inline Columns hull(Columns a, Columns b) {
+  if (a.empty()) return b;
+  if (b.empty()) return a;
+  return {std::min(a.begin, b.begin), std::max(a.end, b.end)};
+}
+
+/// One cell more on either side, within the width.
+inline Columns widened(Columns c, int width) {
+  if (c.empty()) return c;
+  return {std::max(c.begin - 1, 0), std::min(c.end + 1, width)};
+}
+
+/// Row y of a plane with the rows above and below it.
+struct Rows {
+  const float* above;
+  const float* here;
+  const float* below;
+};
+
+inline Rows rows_at(const Field<float>& f, int y) {
+  return {f.row(std::max(y - 1, 0)), f.row(y), f.row(std::min(y + 1, f.height() - 1))};
+}
+
+/// Calls body(x, left, right) for the cells of a row; left and right are the neighbours' columns.
+template <typename Body>
+void for_cells(Columns cells, int width, Body body) {
+  int x = cells.begin;
+  if (x == 0 && x < cells.end) {
+    body(0, 0, std::min(1, width - 1));
+    ++x;
+  }
+  const int inner_end = std::min(cells.end, width - 1);
+  for (; x < inner_end; ++x) body(x, x - 1, x + 1);
+  if (x < cells.end) body(x, x - 1, x);
+}
+
+}  // namespace pentimento::paper

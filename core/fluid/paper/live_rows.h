@@ -1,0 +1,34 @@
+#pragma once
+// Which cells a step has to compute: those with paint, velocity or brush, and their neighbours. In
+// all others depth and velocity are 0, so the step would write what is there: skipping is exact.
+
+#include <vector>
+
+#include "core/canvas_state.h"
+#include "core/fluid/brush_contact.h"
+#include "core/fluid/paper/grid_rows.h"
+#include "core/threads.h"
+
+namespace pentimento::paper {
+
+class LiveRows {
+ public:
+  /// Looks through depth, velocity and brush contact.
+  void find(const CanvasState& state, const BrushContact& contact, const Threads& threads);
+
+  bool empty() const { return row_begin_ >= row_end_; }
+  /// Cells to compute in row y.
+  Columns live(int y) const { return live_[static_cast<std::size_t>(y)]; }
+  /// These and the cells next to them, which the kernels read.
+  Columns margin(int y) const { return margin_[static_cast<std::size_t>(y)]; }
+  /// Rows whose margin is not empty lie in [row_begin, row_end).
+  int row_begin() const { return row_begin_; }
+  int row_end() const { return row_end_; }
+  std::int64_t cells() const;
+
+ private:
+  std::vector<Columns> wet_, live_, margin_;
+  int row_begin_ = 0, row_end_ = 0;
+};
+
+}  // namespace pentimento::paper

@@ -1,0 +1,190 @@
+#include "core/fluid/paper/paper_scheme.h"
+
+#include <cmath>
+
+#include "core/fluid/paper/depth.h"
+#include "core/fluid/paper/front.h"
+#include "core/fluid/paper/gravity.h"
+#include "core/fluid/paper/height_sweep.h"
+#include "core/fluid/paper/height_system.h"
+#include "core/fluid/paper/pigment.h"
+#include "core/fluid/paper/trace.h"
+#include "core/fluid/paper/velocity_limits.h"
+#include "core/fluid/paper/viscosity.h"
+#include "core/fluid/rheology.h"
+
+namespace pentimento::paper {
+
+namespace {
+
+constexpr int kRowsPerTask = 8;
+
+std::size_t at(int y) {
+  return static_cast<std::size_t>(y);
+}
+
+/// Mobility and viscosity of row y; stamped cells get no viscosity, so that the sweeps leave the
+/// brush's velocity there.
+void rheology_of_row(const CanvasState& state, const StepInput& in, const Rheology& rheology, int y,
+                     Columns cells, Planes& planes) {
+  const std::size_t n = cells.count();
+  const std::span<float> nu(planes.viscosity_m2_s.row(y) + cells.begin, n);
+  const std::span<float> mobility(planes.mobility_frac.row(y) + cells.begin, n);
+  const std::span<float> total(planes.system.left.row(y) + cells.begin, n);  // free until the solve
+  total_amount_row(state, in.amount, y, cells.begin, cells.end, total);
+  rheology_row(rheology, in.model.dry_film_m(), {state.depth_m.row(y) + cells.begin, n}, total,
+               mobility, nu);
+  if (y < in.contact.row_begin || y >= in.contact.row_end) return;
+  const float* weight = in.contact.weight.row(y) + cells.begin;
+  for (std::size_t i = 0; i < n; ++i) nu[i] = weight[i] > 0.0f ? 0.0f : nu[i];
+}
+
+}  // namespace
+
+PaperScheme::PaperScheme(const CanvasGeometry& geometry, int /*layers*/, int channels)
+    : planes_(make_planes(geometry.width, geometry.height, channels)),
+      row_changed_(at(geometry.height)),
+      row_flow_(at(geometry.height)),
+      row_speed2_(at(geometry.height)) {}
+
+template <typename Body>
+void PaperScheme::for_live_rows(const StepInput& in, Body body) const {
+  in.threads.for_ranges(rows_.row_begin(), rows_.row_end(), kRowsPerTask, [&](int begin, int end) {
+    for (int y = begin; y < end; ++y)
+      if (!rows_.live(y).empty()) body(y, rows_.live(y));
+  });
+}
+
+bool PaperScheme::step(CanvasState& state, const StepInput& in) {
+  constants_ = make_step_constants(state.geometry, in);
+  rows_.find(state, in.contact, in.threads);
+  ++steps_;
+  if (rows_.empty()) return false;
+
+  prepare(state, in);
+  trace(state, in);
+  const Field<float>& height_m = solve_height(state, in);
+  const std::size_t velocity = solve_velocity(state, in, height_m);
+  for_live_rows(in, [&](int y, Columns cells) {
+    row_changed_[at(y)] |= update_depth_row(planes_, height_m, y, cells, state) ? 1 : 0;
+  });
+  move_pigment(state, in, velocity);
+  for_live_rows(in, [&](int y, Columns cells) {
+    row_changed_[at(y)] |= update_velocity_row(constants_, in.contact, planes_.u_m_s[velocity],
+                                               planes_.v_m_s[velocity], y, cells, state)
+                               ? 1
+                               : 0;
+  });
+  count_step();
+  // A stamp set velocities before the step, so whether they differ from the last step's is unknown.
+  return !in.contact.empty() ||
+         std::find(row_changed_.begin(), row_changed_.end(), 1) != row_changed_.end();
+}
+
+void PaperScheme::prepare(CanvasState& state, const StepInput& in) {
+  const Rheology rheology = make_rheology(in.model);
+  std::fill(row_changed_.begin(), row_changed_.end(), std::uint8_t{0});
+  in.threads.for_ranges(rows_.row_begin(), rows_.row_end(), kRowsPerTask, [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) {
+      prepare_margin_row(state, y, rows_.margin(y), planes_);
+      const Columns cells = rows_.live(y);
+      if (cells.empty()) continue;
+      float *u = state.velocity_x_m_s.row(y), *v = state.velocity_y_m_s.row(y);
+      if (!in.contact.empty()) {
+        impose_brush_row(in.contact, y, cells, u, v);
+        close_edge_row(y, state.geometry.width, state.geometry.height, cells, u, v);
+      }
+      rheology_of_row(state, in, rheology, y, cells, planes_);
+    }
+  });
+}
+
+void PaperScheme::trace(const CanvasState& state, const StepInput& in) {
+  for_live_rows(in, [&](int y, Columns cells) {
+    trace_row(constants_, state, y, cells,
+              {planes_.u_m_s[0].row(y), planes_.v_m_s[0].row(y), planes_.system.centre.row(y)});
+  });
+}
+
+const Field<float>& PaperScheme::solve_height(const CanvasState& state, const StepInput& in) {
+  for_live_rows(in, [&](int y, Columns cells) {
+    build_height_system_row(constants_, state, y, cells, planes_);
+  });
+  const int sweeps = in.model.jacobi_iterations;
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    const Field<float>& from = planes_.height_m[at(sweep % 2)];
+    Field<float>& to = planes_.height_m[at((sweep + 1) % 2)];
+    for_live_rows(in, [&](int y, Columns cells) {
+      sweep_height_row(planes_.system, from, y, cells, to.row(y));
+      if (sweep + 1 == sweeps)
+        limit_height_row(state.base_m, constants_.max_medium_m, y, cells, to.row(y));
+    });
+  }
+  return planes_.height_m[at(sweeps % 2)];
+}
+
+std::size_t PaperScheme::solve_velocity(const CanvasState& state, const StepInput& in,
+                                        const Field<float>& height_m) {
+  for_live_rows(in, [&](int y, Columns cells) {
+    accelerate_row(constants_, state, height_m, y, cells, planes_);
+    impose_brush_row(in.contact, y, cells, planes_.u_m_s[0].row(y), planes_.v_m_s[0].row(y));
+  });
+  const Velocity right_side{planes_.u_m_s[0], planes_.v_m_s[0]};
+  std::size_t latest = 0;
+  for (int sweep = 0; sweep < in.model.jacobi_iterations; ++sweep) {
+    const Velocity from{planes_.u_m_s[latest], planes_.v_m_s[latest]};
+    const std::size_t to = latest == 1 ? 2 : 1;
+    for_live_rows(in, [&](int y, Columns cells) {
+      sweep_viscosity_row(constants_, planes_, right_side, from, y, cells, planes_.u_m_s[to].row(y),
+                          planes_.v_m_s[to].row(y));
+    });
+    latest = to;
+  }
+  for_live_rows(in, [&](int y, Columns) { finish_row(state, in, latest, y); });
+  return latest;
+}
+
+void PaperScheme::finish_row(const CanvasState& state, const StepInput& in, std::size_t velocity,
+                             int y) {
+  const Columns cells = rows_.live(y);
+  float *u = planes_.u_m_s[velocity].row(y), *v = planes_.v_m_s[velocity].row(y);
+  limit_speed_row(constants_, cells, u, v);
+  impose_brush_row(in.contact, y, cells, u, v);
+  close_edge_row(y, state.geometry.width, state.geometry.height, cells, u, v);
+  mark_moved_row(state, y, cells, u, v, planes_.moved.row(y));
+  Columns flow = cells;
+  while (!flow.empty() && u[flow.begin] == 0.0f && v[flow.begin] == 0.0f) ++flow.begin;
+  while (!flow.empty() && u[flow.end - 1] == 0.0f && v[flow.end - 1] == 0.0f) --flow.end;
+  row_flow_[at(y)] = flow;
+  float speed2 = 0;
+  for (int x = flow.begin; x < flow.end; ++x) speed2 = std::max(speed2, u[x] * u[x] + v[x] * v[x]);
+  row_speed2_[at(y)] = speed2;
+}
+
+void PaperScheme::move_pigment(CanvasState& state, const StepInput& in, std::size_t velocity) {
+  for_live_rows(in, [&](int y, Columns) { count_layers_row(state, y, row_flow_[at(y)], planes_); });
+  for (int layer = 0; layer < state.layers; ++layer) {
+    for_live_rows(in, [&](int y, Columns) {
+      trace_pigment_row(constants_, state, in.amount, layer, planes_.u_m_s[velocity].row(y),
+                        planes_.v_m_s[velocity].row(y), y, row_flow_[at(y)], planes_);
+    });
+    for_live_rows(in, [&](int y, Columns) {
+      row_changed_[at(y)] |= store_pigment_row(planes_, layer, y, row_flow_[at(y)], state) ? 1 : 0;
+    });
+  }
+}
+
+void PaperScheme::count_step() {
+  for (int y = rows_.row_begin(); y < rows_.row_end(); ++y)
+    if (!rows_.live(y).empty())
+      max_speed_m_s_ = std::max(max_speed_m_s_, std::sqrt(static_cast<double>(row_speed2_[at(y)])));
+  live_frac_sum_ += static_cast<double>(rows_.cells()) /
+                    (static_cast<double>(planes_.wet.width()) * planes_.wet.height());
+}
+
+std::vector<std::pair<std::string, double>> PaperScheme::statistics() const {
+  const double steps = static_cast<double>(std::max<std::int64_t>(steps_, 1));
+  return {{"max_speed_m_s", max_speed_m_s_}, {"live_frac", live_frac_sum_ / steps}};
+}
+
+}  // namespace pentimento::paper

@@ -1,0 +1,48 @@
+#pragma once
+// The fluid of the publication (Stuyck, Da, Hadap, Dutre, Real-Time Oil Painting on Mobile
+// Hardware, 2016): R5-R19 on a collocated grid, in plain loops. It is the reproduction of the paper
+// and the yardstick for speed; docs/paper-scheme.md tells its clamps and what they lose.
+
+#include "core/fluid/paper/planes.h"
+#include "core/fluid/paper/step_constants.h"
+#include "core/fluid/scheme.h"
+
+namespace pentimento::paper {
+
+class PaperScheme : public FluidScheme {
+ public:
+  PaperScheme(const CanvasGeometry& geometry, int layers, int channels);
+
+  /// One step: brush velocity, rheology, trace, height, gravity, viscosity, limits, depth, pigment.
+  /// Cost follows the area between the first and the last painted cell of each row. The stroke ids
+  /// do not move with the paint: a cell keeps the id of the last stroke that touched it.
+  bool step(CanvasState& state, const StepInput& in) override;
+
+  /// max_speed_m_s: the fastest cell so far; live_frac: mean share of the canvas computed per step.
+  std::vector<std::pair<std::string, double>> statistics() const override;
+
+ private:
+  void prepare(CanvasState& state, const StepInput& in);
+  void trace(const CanvasState& state, const StepInput& in);
+  const Field<float>& solve_height(const CanvasState& state, const StepInput& in);
+  /// Which of the velocity buffers holds the result.
+  std::size_t solve_velocity(const CanvasState& state, const StepInput& in,
+                             const Field<float>& height_m);
+  void move_pigment(CanvasState& state, const StepInput& in, std::size_t velocity);
+  template <typename Body>
+  void for_live_rows(const StepInput& in, Body body) const;
+  void finish_row(const CanvasState& state, const StepInput& in, std::size_t velocity, int y);
+  void count_step();
+
+  StepConstants constants_{};
+  Planes planes_;
+  LiveRows rows_;
+  std::vector<std::uint8_t> row_changed_;
+  std::vector<Columns> row_flow_;  // where the new velocity is not 0
+  std::vector<float> row_speed2_;  // its largest square
+  double max_speed_m_s_ = 0;
+  double live_frac_sum_ = 0;
+  std::int64_t steps_ = 0;
+};
+
+}  // namespace pentimento::paper

@@ -1,0 +1,36 @@
+#pragma once
+// The scratch planes of one step. Valid only inside the live rows of the step at hand.
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/canvas_state.h"
+#include "core/fluid/paper/live_rows.h"
+
+namespace pentimento::paper {
+
+/// h+ = centre + left h+(x-1) + right h+(x+1) + up h+(y-1) + down h+(y+1): R6 divided by its
+/// diagonal.
+struct HeightSystem {
+  Field<float> centre, left, right, up, down;
+};
+
+struct Planes {
+  std::array<Field<float>, 2> height_m;      // h = d + b: two, for the sweeps
+  std::array<Field<float>, 3> u_m_s, v_m_s;  // [0] right-hand side, [1], [2] for the sweeps
+  Field<float> mobility_frac;                // 1 - Phi, 0 where R15 takes gravity away
+  Field<float> viscosity_m2_s;               // 0 in stamped cells: their velocity is given
+  Field<float> wet;                          // 1 where there is fluid, else 0
+  HeightSystem system;                       // its `centre` receives the traced height first
+  Field<std::uint8_t> moved;                 // 1 where velocity was or is not 0
+  Field<std::uint8_t> occupied;              // layers that hold pigment
+  std::vector<Field<float>> pigment;         // one layer's channels on their way
+};
+
+Planes make_planes(int width, int height, int channels);
+
+/// Fills what the kernels read, in row y: height and wetness over the margin, velocities 0 there.
+void prepare_margin_row(const CanvasState& state, int y, Columns margin, Planes& planes);
+
+}  // namespace pentimento::paper

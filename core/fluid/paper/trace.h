@@ -1,0 +1,23 @@
+#pragma once
+#include "core/canvas_state.h"
+#include "core/fluid/paper/grid_rows.h"
+#include "core/fluid/paper/step_constants.h"
+
+namespace pentimento::paper {
+
+struct TracedRow {
+  float* u_m_s;
+  float* v_m_s;
+  float* height_m;
+};
+
+/// Velocity and height at the point where each cell's fluid was one step ago, in row y.
+///   q~(x) = q(x - dt u(x)) for q = u, v, h
+/// Scheme: semi-Lagrangian, one backward Euler trace, bilinear; 1st order. Stable for any step.
+/// Source: R8; Stam, Stable Fluids, SIGGRAPH 1999, section 2.2, as Stuyck et al. 2016, section 5.1.
+/// Departures: bare paper that would be traced from bare paper is left alone (velocity 0, h = b),
+/// or the relief itself would be carried about and become paint.
+void trace_row(const StepConstants& k, const CanvasState& state, int y, Columns cells,
+               const TracedRow& out);
+
+}  // namespace pentimento::paper

@@ -1,0 +1,23 @@
+#pragma once
+#include "core/fluid/paper/planes.h"
+#include "core/fluid/paper/step_constants.h"
+
+namespace pentimento::paper {
+
+struct Velocity {
+  const Field<float>& u_m_s;
+  const Field<float>& v_m_s;
+};
+
+/// One Jacobi sweep of the viscous term over row y.
+///   u+ - dt nu(theta) (u+_xx + u+_yy) = u*, likewise v
+/// Scheme: implicit, 1st order in time, 2nd in space; Jacobi started at u*, as many sweeps as for
+/// the height. Stable for any nu: the weights are positive and sum to less than 1. (Explicit it
+/// would need nu <= 1 / (2 dt (1/dx^2 + 1/dy^2)) = 1.37e-5 m^2/s, 728 times less than nu_max.)
+/// Source: R11, R13, A9 (Stuyck et al. 2016, equation 4). Departures: implicit, where the paper is
+/// silent. A neighbour without fluid pulls nothing (Neumann). `right_side` is u*.
+void sweep_viscosity_row(const StepConstants& k, const Planes& planes, const Velocity& right_side,
+                         const Velocity& velocity, int y, Columns cells, float* out_u,
+                         float* out_v);
+
+}  // namespace pentimento::paper

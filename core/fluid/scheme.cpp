@@ -1,0 +1,18 @@
+#include "core/fluid/scheme.h"
+
+#include "core/fluid/paper/paper_scheme.h"
+
+namespace pentimento {
+
+std::unique_ptr<FluidScheme> make_scheme(SchemeKind kind, const CanvasGeometry& geometry,
+                                         int layers, int channels) {
+  switch (kind) {
+    case SchemeKind::kPaper:
+      return std::make_unique<paper::PaperScheme>(geometry, layers, channels);
+    case SchemeKind::kConservative:
+      break;
+  }
+  check_failed("the scheme exists", __FILE__, __LINE__);
+}
+
+}  // namespace pentimento

@@ -1,0 +1,79 @@
+// R18 and R19.
+
+#include "core/fluid/paper/pigment.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/core/fluid/paper/canvases.h"
+
+namespace pentimento::paper {
+namespace {
+
+TEST(Pigment, LayersMoveWithTheirDepth) {
+  EXPECT_FLOAT_EQ(layer_velocity_frac(0, 1), 0.5f);
+  EXPECT_FLOAT_EQ(layer_velocity_frac(0, 4), 0.125f);
+  EXPECT_FLOAT_EQ(layer_velocity_frac(3, 4), 0.875f);
+  EXPECT_FLOAT_EQ(layer_velocity_frac(1, 2), 0.75f);
+  EXPECT_FLOAT_EQ(layer_velocity_frac(0, 0), 0.5f);  // arriving on empty canvas
+  EXPECT_FLOAT_EQ(layer_velocity_frac(1, 0), 0.75f);
+}
+
+/// A canvas with an edge in each of two layers at x = 20, ready to be traced with 1024 u / 45
+/// cells.
+struct Edge {
+  Edge() : canvas(48, 3), planes(make_planes(48, 3, 2)) {
+    canvas.pour(0, 0, 20, 3, 0.01f, 0.2f, 0);
+    canvas.pour(0, 0, 20, 3, 0.01f, 0.2f, 1);
+    planes.occupied.fill(2);
+    u.assign(48, 8 * 45 / 1024.0f);  // the surface moves 8 cells
+    v.assign(48, 0);
+  }
+  float traced(int layer, int x, float residue) {
+    canvas.model.pigment_residue = residue;
+    const StepInput in{canvas.model,   canvas.gravity, canvas.dt_s,
+                       canvas.contact, canvas.amount,  canvas.threads};
+    const StepConstants k = make_step_constants(canvas.state.geometry, in);
+    trace_pigment_row(k, canvas.state, canvas.amount, layer, u.data(), v.data(), 1, {0, 48},
+                      planes);
+    return planes.pigment[0](x, 1);
+  }
+  TestCanvas canvas;
+  Planes planes;
+  std::vector<float> u, v;
+};
+
+TEST(Pigment, ArrivesFromUpstreamAtTheSpeedOfItsLayer) {
+  Edge edge;  // of two layers the lower moves 2 cells, the upper 6
+  EXPECT_FLOAT_EQ(edge.traced(0, 21, 0), 0.2f);
+  EXPECT_EQ(edge.traced(0, 23, 0), 0);
+  EXPECT_FLOAT_EQ(edge.traced(1, 25, 0), 0.2f);
+  EXPECT_EQ(edge.traced(1, 27, 0), 0);
+}
+
+TEST(Pigment, TheResidueStaysInTheBottomLayer) {
+  Edge edge;
+  for (int x = 0; x < 20; ++x) edge.u[static_cast<std::size_t>(x)] *= -1;  // emptied to the left
+  EXPECT_NEAR(edge.traced(0, 19, 0.01f), 0.01f, 1e-8);                     // one rounding of 0.2
+  EXPECT_EQ(edge.traced(1, 19, 0.01f), 0);
+  EXPECT_EQ(edge.traced(0, 30, 0.01f), 0);  // none where no pigment has been
+}
+
+TEST(Pigment, AFaintLayerSticksWhole) {
+  Edge edge;
+  edge.canvas.pour(0, 0, 20, 3, 0.01f, 0.008f, 0);
+  EXPECT_FLOAT_EQ(edge.traced(0, 19, 0.01f), 0.008f);
+  EXPECT_EQ(edge.traced(0, 20, 0.01f), 0);
+}
+
+TEST(Pigment, TheResidueOutlastsAnyFlow) {
+  TestCanvas canvas(32, 64);
+  canvas.pour(8, 8, 24, 24, 0.003f, 0.03f);
+  canvas.gravity = {0, -9.81f, 0};
+  canvas.steps(100);
+  for (int y = 8; y < 24; ++y)
+    for (int x = 8; x < 24; ++x)
+      EXPECT_GE(canvas.state.channel(0, 0)(x, y), 0.0099f);  // 0.01 within a hundred roundings
+}
+
+}  // namespace
+}  // namespace pentimento::paper
