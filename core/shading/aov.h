@@ -1,0 +1,36 @@
+#pragma once
+// The planes of a shaded picture: their names, and where the shader leaves each.
+
+#include <string>
+#include <vector>
+
+#include "core/optics/channels.h"
+#include "core/result.h"
+
+namespace pentimento {
+
+/// What a target of the shader holds; its four values are named beside each.
+enum class TargetKind {
+  kPicture,     // R G B, wet
+  kAlbedo,      // R G B, height
+  kNormal,      // X Y Z, depth
+  kDiffuse,     // R G B
+  kSpecular,    // R G B
+  kReflection,  // R G B
+  kPigment      // four channels; as many targets as it takes
+};
+
+/// One plane: the `component` of the `part`-th target of a kind.
+struct PlaneSource {
+  std::string name;
+  TargetKind kind = TargetKind::kPicture;
+  int part = 0;
+  int component = 0;
+};
+
+/// R, G, B, then the planes of the groups in `aovs`, each group once, in the order asked. Error: an
+/// unknown group.
+Result<std::vector<PlaneSource>> picture_planes(const std::vector<std::string>& aovs,
+                                                const ChannelBasis& basis);
+
+}  // namespace pentimento

@@ -1,0 +1,35 @@
+#pragma once
+// An offscreen OpenGL 3.3 core context, wherever it comes from. The libraries are found at run
+// time, so the program starts without them and says what is missing.
+
+#include <memory>
+#include <string_view>
+
+#include "core/result.h"
+
+namespace pentimento {
+
+class GlContext {
+ public:
+  using Function = void (*)();
+  virtual ~GlContext() = default;
+  /// Makes it the calling thread's context. One thread at a time.
+  virtual Result<void> make_current() = 0;
+  /// Leaves the calling thread without a context.
+  virtual void release() = 0;
+  /// Address of an OpenGL function, nullptr if there is none.
+  virtual Function function(const char* name) const = 0;
+  /// "OSMesa" or "EGL".
+  virtual std::string_view name() const = 0;
+};
+
+/// Mesa's own offscreen library.
+Result<std::unique_ptr<GlContext>> open_osmesa_context();
+/// EGL without a surface: Mesa's software or a GPU's driver.
+Result<std::unique_ptr<GlContext>> open_egl_context();
+
+/// What Mesa reads from the environment when its first context opens: its threads (0 = it works in
+/// the calling thread), and that it keeps no compiled shaders on disk.
+void prepare_mesa(int gl_threads);
+
+}  // namespace pentimento

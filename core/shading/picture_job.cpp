@@ -1,0 +1,183 @@
+#include "core/shading/picture_job.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "core/shading/state_window.h"
+
+namespace pentimento {
+namespace {
+
+TileRun crop_run(int first, int count, int whole) {
+  return count == 0 ? TileRun{0, whole} : TileRun{first, count};
+}
+
+/// The textures of a tile's part of the state, as large as the largest tile needs.
+class TileTextures {
+ public:
+  TileTextures(const GlFunctions& gl, const PictureLayout& layout)
+      : width_(layout.x.most_cells(layout.tiles.width)),
+        height_(layout.y.most_cells(layout.tiles.height)),
+        columns_(gl, TexelFormat::kRg, layout.tiles.width * layout.x.per_pixel, 1),
+        rows_(gl, TexelFormat::kRg, layout.tiles.height * layout.y.per_pixel, 1),
+        ground_(gl, TexelFormat::kRgba, width_, height_),
+        relief_(gl, TexelFormat::kRg, width_, height_),
+        amounts_(gl, TexelFormat::kRgba, width_, height_,
+                 layout.variant.layers * layout.variant.planes()) {}
+
+  void upload(const CanvasState& state, const ShadeVariant& variant, const AxisWindow& x,
+              const AxisWindow& y) {
+    columns_.upload(static_cast<int>(x.table.size() / 2), 1, x.table.data());
+    rows_.upload(static_cast<int>(y.table.size() / 2), 1, y.table.data());
+    const CellWindow window{x.first_cell, y.first_cell, x.cells, y.cells};
+    pack_ground(state, window, texels_);
+    ground_.upload(window.width, window.height, texels_.data());
+    pack_relief(state, window, texels_);
+    relief_.upload(window.width, window.height, texels_.data());
+    for (int layer = 0; layer < variant.layers; ++layer) {
+      for (int plane = 0; plane < variant.planes(); ++plane) {
+        pack_amounts(state, layer, plane, window, texels_);
+        amounts_.upload(window.width, window.height, texels_.data(),
+                        layer * variant.planes() + plane);
+      }
+    }
+  }
+
+  void bind() const {
+    columns_.bind(kColumns);
+    rows_.bind(kRows);
+    ground_.bind(kGround);
+    relief_.bind(kRelief);
+    amounts_.bind(kAmounts);
+  }
+
+ private:
+  int width_;
+  int height_;
+  GlTexture columns_, rows_, ground_, relief_, amounts_;
+  std::vector<float> texels_;
+};
+
+/// The camera's picture as a texture; nothing without one.
+std::optional<GlTexture> reflection_texture(const GlFunctions& gl, const ReflectionMap& map) {
+  const int width = map.rgb[0].width(), height = map.rgb[0].height();
+  if (map.rgb[0].empty()) return std::nullopt;
+  std::vector<float> texels;
+  texels.reserve(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      for (const Field<float>& plane : map.rgb) texels.push_back(plane(x, y));
+    }
+  }
+  GlTexture texture(gl, TexelFormat::kRgb, width, height, 0, true);
+  texture.upload(width, height, texels.data());
+  return texture;
+}
+
+/// Full-width rows of every plane, filled tile by tile.
+class StripBuffer {
+ public:
+  StripBuffer(const std::vector<PlaneSource>& planes, const ShadeVariant& variant, int width,
+              int rows)
+      : planes_(planes), variant_(variant) {
+    for (std::size_t i = 0; i < planes.size(); ++i) fields_.emplace_back(width, rows);
+  }
+
+  /// Takes the planes that target `index` holds from its RGBA texels.
+  void take(int index, int x0, int width, int rows, const std::vector<float>& texels) {
+    for (std::size_t i = 0; i < planes_.size(); ++i) {
+      const PlaneSource& plane = planes_[i];
+      if (variant_.target[static_cast<std::size_t>(plane.kind)] + plane.part != index) continue;
+      const float* in = texels.data() + plane.component;
+      for (int y = 0; y < rows; ++y) {
+        float* out = fields_[i].row(y) + x0;
+        for (int x = 0; x < width; ++x, in += 4) out[x] = *in;
+      }
+    }
+  }
+
+  PictureStrip strip(int y0, int rows) const {
+    PictureStrip strip{y0, rows, {}, {}};
+    for (std::size_t i = 0; i < planes_.size(); ++i) {
+      strip.name.push_back(planes_[i].name);
+      strip.plane.push_back(fields_[i].view().window(0, 0, fields_[i].width(), rows));
+    }
+    return strip;
+  }
+
+ private:
+  const std::vector<PlaneSource>& planes_;
+  const ShadeVariant& variant_;
+  std::vector<Field<float>> fields_;
+};
+
+}  // namespace
+
+PictureLayout lay_out(const ShadeScene& scene, const ShadeRequest& request,
+                      const std::vector<PlaneSource>& planes) {
+  const CanvasGeometry& grid = scene.state.geometry;
+  PictureLayout out;
+  const int samples = std::max(samples_per_pixel(grid.width, request.width),
+                               samples_per_pixel(grid.height, request.height));
+  out.x = {grid.width, request.width, samples};
+  out.y = {grid.height, request.height, samples};
+  ShadeVariant& variant = out.variant;
+  variant.layers = scene.state.layers;
+  variant.channels = std::max(scene.state.channels, 1);
+  variant.samples_per_pixel = samples;
+  variant.interpolate = !out.x.on_cells() || !out.y.on_cells();
+  variant.by_depth = scene.model.optical_thickness == OpticalThickness::kDepth;
+  variant.reflection_map = !scene.lighting.reflection.rgb[0].empty();
+  assign_targets(planes, variant);
+  out.tiles = plan_tiles({out.x, out.y, crop_run(request.crop_x, request.crop_width, request.width),
+                          crop_run(request.crop_y, request.crop_height, request.height),
+                          request.tile, variant.layers * variant.planes(), variant.targets,
+                          static_cast<int>(planes.size())});
+  return out;
+}
+
+Result<void> shade_picture(const GlFunctions& gl, const GlProgram& program, const ShadeScene& scene,
+                           const PictureLayout& layout, const std::vector<PlaneSource>& planes,
+                           const std::vector<PictureSink*>& sinks) {
+  const TilePlan& tiles = layout.tiles;
+  const auto out_of_memory = [] {
+    return Error{ErrorCode::kLimit, "OpenGL has no memory for a tile; try a smaller one"};
+  };
+  TileTextures textures(gl, layout);
+  GlTargets targets(gl, tiles.width, tiles.height, layout.variant.targets);
+  const std::optional<GlTexture> reflection = reflection_texture(gl, scene.lighting.reflection);
+  if (!targets.complete() || gl.GetError() != GL_NO_ERROR) return out_of_memory();
+  program.use();
+  set_shade_uniforms(program, {scene.basis,
+                               scene.model,
+                               scene.lighting,
+                               {scene.state.geometry.dx_m(), scene.state.geometry.dy_m()}});
+
+  const int left = tiles.columns.front().first, top = tiles.rows.front().first;
+  const int width = tiles.columns.back().first + tiles.columns.back().count - left;
+  StripBuffer buffer(planes, layout.variant, width, tiles.height);
+  std::vector<float> texels(4 * static_cast<std::size_t>(tiles.width) *
+                            static_cast<std::size_t>(tiles.height));
+  for (const TileRun& row : tiles.rows) {
+    const AxisWindow y = axis_window(layout.y, row.first, row.count);
+    for (const TileRun& column : tiles.columns) {
+      textures.upload(scene.state, layout.variant,
+                      axis_window(layout.x, column.first, column.count), y);
+      textures.bind();
+      if (reflection) reflection->bind(kReflectionMap);
+      targets.draw(column.count, row.count);
+      for (int t = 0; t < layout.variant.targets; ++t) {
+        targets.read(t, column.count, row.count, texels.data());
+        buffer.take(t, column.first - left, column.count, row.count, texels);
+      }
+    }
+    if (gl.GetError() != GL_NO_ERROR) return out_of_memory();
+    const PictureStrip strip = buffer.strip(row.first - top, row.count);
+    for (PictureSink* sink : sinks) {
+      if (auto written = sink->write(strip); !written) return written;
+    }
+  }
+  return {};
+}
+
+}  // namespace pentimento

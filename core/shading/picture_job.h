@@ -1,0 +1,39 @@
+#pragma once
+// One picture, tile by tile: upload the window of the state, draw, read back, hand out strips.
+
+#include <vector>
+
+#include "core/shading/aov.h"
+#include "core/shading/gl/objects.h"
+#include "core/shading/picture.h"
+#include "core/shading/shade_program.h"
+#include "core/shading/shader.h"
+#include "core/shading/tile_plan.h"
+
+namespace pentimento {
+
+/// What is shown. References only.
+struct ShadeScene {
+  const CanvasState& state;
+  const ChannelBasis& basis;
+  const Model& model;
+  const Lighting& lighting;
+};
+
+/// How it is cut up and computed.
+struct PictureLayout {
+  SampleAxis x;
+  SampleAxis y;
+  TilePlan tiles;
+  ShadeVariant variant;
+};
+
+PictureLayout lay_out(const ShadeScene& scene, const ShadeRequest& request,
+                      const std::vector<PlaneSource>& planes);
+
+/// The context is current. Strips go to each sink in turn; the first failure ends it.
+Result<void> shade_picture(const GlFunctions& gl, const GlProgram& program, const ShadeScene& scene,
+                           const PictureLayout& layout, const std::vector<PlaneSource>& planes,
+                           const std::vector<PictureSink*>& sinks);
+
+}  // namespace pentimento

@@ -1,0 +1,34 @@
+#pragma once
+// Where the samples of a picture lie among the cells of the state, along one axis (A38). Computed
+// from the position in the whole picture, so that a tile's numbers do not depend on the tile.
+
+#include <vector>
+
+namespace pentimento {
+
+/// One axis of picture and grid: both cover the canvas from edge to edge.
+struct SampleAxis {
+  int cells = 1;
+  int pixels = 1;
+  int per_pixel = 1;  // samples a pixel; more than one when pixels are larger than cells
+
+  /// Every sample lies on a cell's centre: nothing is interpolated.
+  bool on_cells() const { return cells == pixels * per_pixel; }
+  /// Cells that a run of `count` pixels needs at most, borders included.
+  int most_cells(int count) const;
+};
+
+/// Samples per pixel, along each axis, that leave no cell unseen.
+int samples_per_pixel(int cells, int pixels);
+
+/// What the samples of a run of pixels need.
+struct AxisWindow {
+  int first_cell = 0;  // may be negative: cells outside the grid repeat its edge
+  int cells = 0;
+  std::vector<float> table;  // per sample: cell before it, counted from first_cell; fraction onward
+};
+
+/// Cubic interpolation needs one cell before and two after each sample's own.
+AxisWindow axis_window(const SampleAxis& axis, int first_pixel, int count);
+
+}  // namespace pentimento

@@ -1,0 +1,104 @@
+#include "core/shading/shade_program.h"
+
+#include <cmath>
+
+#include "core/optics/composite.h"
+#include "core/optics/microfacet.h"
+#include "core/shading/shader_source.h"
+
+namespace pentimento {
+namespace {
+
+constexpr const char* kTargetDefine[] = {"PICTURE_TARGET", "ALBEDO_TARGET",   "NORMAL_TARGET",
+                                         "DIFFUSE_TARGET", "SPECULAR_TARGET", "REFLECTION_TARGET",
+                                         "PIGMENT_TARGET"};
+constexpr int kPigmentKind = static_cast<int>(TargetKind::kPigment);
+constexpr const char* kVersion = "#version 330 core\n";
+
+std::string define(const char* name, int value) {
+  return std::string("#define ") + name + " " + std::to_string(value) + "\n";
+}
+
+void set_paint(const GlProgram& program, const ShadeParameters& p) {
+  const CompositeOptics optics = make_composite_optics(p.basis, p.model);
+  const int n = p.basis.channels();
+  // Eigen's columns are a channel's three bands one after the other, as GLSL wants them.
+  program.set_vec3("absorption", optics.K.data(), n);
+  program.set_vec3("scattering", optics.S.data(), n);
+  program.set_floats("share", optics.amount.data(), n);
+  program.set("per_reference", optics.per_reference);
+}
+
+void set_light(const GlProgram& program, const Lighting& light) {
+  program.set_vec3("environment", light.environment.L[0].data(), 9);
+  program.set_vec3("lamp_direction", light.lamp.direction.data());
+  std::array<float, 3> radiance{};
+  for (std::size_t i = 0; i < 3; ++i) radiance[i] = light.lamp.intensity * light.lamp.color[i];
+  program.set_vec3("lamp_radiance", radiance.data());
+  program.set("refractive_index", light.refractive_index);
+  program.set("normal_reflectance",
+              static_cast<float>(fresnel_normal(static_cast<double>(light.refractive_index))));
+  program.set("roughness_dry", light.roughness_dry);
+  program.set("roughness_wet", light.roughness_wet);
+  program.set("exposure", std::exp2(light.exposure_ev));
+}
+
+/// Picture coordinates per tangent; the rows of the picture run down, y up.
+void set_reflection(const GlProgram& program, const ReflectionMap& map) {
+  if (map.rgb[0].empty()) return;
+  const float half_fov_rad = map.fov_deg * 3.14159265f / 360;
+  const float across = 0.5f / std::tan(half_fov_rad);
+  const float down =
+      across * static_cast<float>(map.rgb[0].width()) / static_cast<float>(map.rgb[0].height());
+  const std::array<float, 2> scale = {map.mirror ? -across : across, -down};
+  program.set_vec2("reflection_scale", scale.data());
+}
+
+}  // namespace
+
+std::string ShadeVariant::defines() const {
+  std::string text = define("LAYERS", layers) + define("CHANNELS", channels) +
+                     define("PLANES", planes()) + define("SUPERSAMPLE", samples_per_pixel) +
+                     define("INTERPOLATE", interpolate) + define("BY_DEPTH", by_depth) +
+                     define("REFLECTION_MAP", reflection_map) + "#define EMPTY_AMOUNT " +
+                     std::to_string(kEmptyLayerAmount * 1e7f) + "e-7\n";
+  for (std::size_t i = 1; i < target.size(); ++i) {
+    if (target[i] >= 0) text += define(kTargetDefine[i], target[i]);
+  }
+  return text;
+}
+
+void assign_targets(const std::vector<PlaneSource>& planes, ShadeVariant& variant) {
+  variant.targets = 1;
+  for (int kind = 1; kind <= kPigmentKind; ++kind) {
+    for (const PlaneSource& plane : planes) {
+      int& target = variant.target[static_cast<std::size_t>(kind)];
+      if (static_cast<int>(plane.kind) != kind || target >= 0) continue;
+      target = variant.targets;
+      variant.targets += kind == kPigmentKind ? variant.planes() : 1;
+    }
+  }
+}
+
+Result<GlProgram> link_shade_program(const GlFunctions& gl, const ShadeVariant& variant) {
+  std::string fragment = kVersion + variant.defines();
+  for (const char* file : {"surface.glsl", "paint.glsl", "light.glsl", "shade.frag.glsl"}) {
+    fragment += shader_source(file);
+  }
+  return GlProgram::link(gl, kVersion + std::string(shader_source("triangle.vert.glsl")), fragment);
+}
+
+void set_shade_uniforms(const GlProgram& program, const ShadeParameters& p) {
+  const std::pair<const char*, ShadeUnit> samplers[] = {
+      {"columns", kColumns}, {"rows", kRows},       {"ground", kGround},
+      {"relief", kRelief},   {"amounts", kAmounts}, {"reflection_map", kReflectionMap}};
+  for (const auto& [name, unit] : samplers) program.set(name, static_cast<int>(unit));
+  const std::array<float, 2> relief_per_cell = {p.lighting.relief_scale / p.cell_m[0],
+                                                p.lighting.relief_scale / p.cell_m[1]};
+  program.set_vec2("relief_per_cell", relief_per_cell.data());
+  set_paint(program, p);
+  set_light(program, p.lighting);
+  set_reflection(program, p.lighting.reflection);
+}
+
+}  // namespace pentimento

@@ -1,0 +1,52 @@
+#pragma once
+// The GLSL program for one kind of state and request: which code is compiled in, and the numbers
+// it is given.
+
+#include <array>
+#include <string>
+
+#include "core/model.h"
+#include "core/optics/channels.h"
+#include "core/optics/lighting.h"
+#include "core/shading/aov.h"
+#include "core/shading/gl/objects.h"
+
+namespace pentimento {
+
+/// What the program is compiled for. Equal variants share a program.
+struct ShadeVariant {
+  int layers = 1;
+  int channels = 1;
+  int samples_per_pixel = 1;
+  bool interpolate = false;
+  bool by_depth = false;
+  bool reflection_map = false;
+  /// Where each kind's first target is; -1 = not drawn.
+  std::array<int, 7> target = {0, -1, -1, -1, -1, -1, -1};
+  int targets = 1;
+
+  /// RGBA texels of one layer's channels.
+  int planes() const { return (channels + 3) / 4; }
+  bool operator<(const ShadeVariant& other) const { return defines() < other.defines(); }
+  std::string defines() const;
+};
+
+/// Gives each kind that `planes` needs its targets, in the order of TargetKind.
+void assign_targets(const std::vector<PlaneSource>& planes, ShadeVariant& variant);
+
+/// Which texture unit each sampler reads.
+enum ShadeUnit { kColumns, kRows, kGround, kRelief, kAmounts, kReflectionMap };
+
+Result<GlProgram> link_shade_program(const GlFunctions& gl, const ShadeVariant& variant);
+
+/// What the uniforms of a state's picture are set from. `cell_m`: size of a cell.
+struct ShadeParameters {
+  const ChannelBasis& basis;
+  const Model& model;
+  const Lighting& lighting;
+  std::array<float, 2> cell_m;
+};
+/// Sets all uniforms; the program must be in use.
+void set_shade_uniforms(const GlProgram& program, const ShadeParameters& parameters);
+
+}  // namespace pentimento

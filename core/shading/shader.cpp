@@ -1,0 +1,115 @@
+#include "core/shading/shader.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <utility>
+
+#include "core/shading/aov.h"
+#include "core/shading/gl/context.h"
+#include "core/shading/gl/functions.h"
+#include "core/shading/picture_job.h"
+#include "core/shading/shade_program.h"
+
+namespace pentimento {
+namespace {
+
+class GlShader : public Shader {
+ public:
+  static Result<std::unique_ptr<Shader>> open(std::unique_ptr<GlContext> context) {
+    if (auto current = context->make_current(); !current) return current.error();
+    auto functions = load_gl_functions(*context);
+    if (!functions) return functions.error();
+    std::unique_ptr<GlShader> shader(new GlShader(std::move(context), *functions));
+    shader->context_->release();
+    return std::unique_ptr<Shader>(std::move(shader));
+  }
+  ~GlShader() override {
+    if (context_->make_current()) programs_.clear();
+    context_->release();
+  }
+
+  Result<void> shade(const CanvasState& state, const ChannelBasis& basis, const Model& model,
+                     const Lighting& lighting, const ShadeRequest& request,
+                     const std::vector<PictureSink*>& sinks) override {
+    if (auto valid = check(state, basis, request); !valid) return valid;
+    auto planes = picture_planes(request.aovs, basis);
+    if (!planes) return planes.error();
+    if (auto current = context_->make_current(); !current) return current;
+    const ShadeScene scene{state, basis, model, lighting};
+    Result<void> done = run(scene, request, *planes, sinks);
+    context_->release();
+    return done;
+  }
+
+  std::string description() const override { return description_; }
+
+ private:
+  GlShader(std::unique_ptr<GlContext> context, const GlFunctions& gl)
+      : context_(std::move(context)), gl_(gl) {
+    const auto text = [&](GLenum name) {
+      const GLubyte* s = gl_.GetString(name);
+      return s == nullptr ? std::string() : std::string(reinterpret_cast<const char*>(s));
+    };
+    description_ =
+        std::string(context_->name()) + ", " + text(GL_RENDERER) + ", OpenGL " + text(GL_VERSION);
+  }
+
+  static Result<void> check(const CanvasState& state, const ChannelBasis& basis,
+                            const ShadeRequest& r) {
+    PENTIMENTO_CHECK(basis.channels() == state.channels);
+    if (state.bands != 3 || basis.bands() != 3) {
+      return Error{ErrorCode::kUsage, "pictures are shaded from three bands, this state has " +
+                                          std::to_string(state.bands)};
+    }
+    if (state.channels > kMaxPaletteChannels) {
+      return Error{ErrorCode::kUsage,
+                   "pictures are shaded from at most 8 channels, this state has " +
+                       std::to_string(state.channels)};
+    }
+    const bool inside = r.width > 0 && r.height > 0 && r.tile > 0 && r.crop_x >= 0 &&
+                        r.crop_y >= 0 && r.crop_width >= 0 && r.crop_height >= 0 &&
+                        r.crop_x <= r.width - std::max(r.crop_width, 1) &&
+                        r.crop_y <= r.height - std::max(r.crop_height, 1);
+    if (!inside) return Error{ErrorCode::kUsage, "the crop lies outside the picture"};
+    return {};
+  }
+
+  Result<void> run(const ShadeScene& scene, const ShadeRequest& request,
+                   const std::vector<PlaneSource>& planes, const std::vector<PictureSink*>& sinks) {
+    const PictureLayout layout = lay_out(scene, request, planes);
+    auto program = programs_.find(layout.variant);
+    if (program == programs_.end()) {
+      auto linked = link_shade_program(gl_, layout.variant);
+      if (!linked) return linked.error();
+      program = programs_.emplace(layout.variant, std::move(*linked)).first;
+    }
+    return shade_picture(gl_, program->second, scene, layout, planes, sinks);
+  }
+
+  std::unique_ptr<GlContext> context_;
+  GlFunctions gl_;
+  std::string description_;
+  std::map<ShadeVariant, GlProgram> programs_;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<Shader>> Shader::open(GlBackend backend, int gl_threads) {
+  prepare_mesa(gl_threads);
+  std::string reasons;
+  using Open = Result<std::unique_ptr<GlContext>> (*)();
+  const std::pair<GlBackend, Open> backends[] = {{GlBackend::kOsmesa, open_osmesa_context},
+                                                 {GlBackend::kEgl, open_egl_context}};
+  for (const auto& [kind, open_context] : backends) {
+    if (backend != GlBackend::kAuto && backend != kind) continue;
+    auto context = open_context();
+    auto shader = context ? GlShader::open(std::move(*context))
+                          : Result<std::unique_ptr<Shader>>(context.error());
+    if (shader) return shader;
+    reasons += (reasons.empty() ? "" : "; ") + shader.error().message;
+  }
+  return Error{ErrorCode::kIo, "no offscreen OpenGL: " + reasons};
+}
+
+}  // namespace pentimento

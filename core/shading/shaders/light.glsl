@@ -1,0 +1,69 @@
+// What falls on the surface and what its interface sends back (R29, R32-R34). The viewer looks
+// along -z, so v = (0,0,1).
+uniform vec3 environment[9];   // radiance coefficients L00 L1-1 L10 L11 L2-2 L2-1 L20 L21 L22
+uniform vec3 lamp_direction;   // towards the lamp
+uniform vec3 lamp_radiance;    // irradiance at normal incidence / pi
+uniform float refractive_index;
+uniform float normal_reflectance;  // Fresnel at normal incidence
+#if REFLECTION_MAP
+uniform sampler2D reflection_map;
+uniform vec2 reflection_scale;  // picture coordinates per tangent of the angle off the axis
+#endif
+
+const float kPi = 3.14159265358979;
+
+// Sum over the bands, each with its factor.
+vec3 harmonics(vec3 d, float first, float second, float third) {
+  vec3 linear = environment[1] * d.y + environment[2] * d.z + environment[3] * d.x;
+  vec3 square = 1.0925484305920792 *
+                (environment[4] * (d.x * d.y) + environment[5] * (d.y * d.z) +
+                 environment[7] * (d.x * d.z));
+  square += environment[6] * (0.31539156525252005 * (3.0 * d.z * d.z - 1.0));
+  square += environment[8] * (0.5462742152960396 * (d.x * d.x - d.y * d.y));
+  vec3 sum = first * 0.28209479177387814 * environment[0] + second * 0.4886025119029199 * linear +
+             third * square;
+  return max(sum, 0.0);
+}
+
+// Irradiance / pi (Ramamoorthi and Hanrahan 2001).
+vec3 ambient(vec3 n) { return harmonics(n, 1.0, 2.0 / 3.0, 0.25); }
+
+// Radiance that comes from direction r. Pinhole camera looking along +z; beyond its edges, and for
+// rays that never meet its picture, the edge.
+vec3 reflected(vec3 r) {
+#if REFLECTION_MAP
+  vec2 tangent = r.xy / max(r.z, 1e-3);
+  return texture(reflection_map, 0.5 + tangent * reflection_scale).rgb;
+#else
+  return harmonics(r, 1.0, 1.0, 1.0);
+#endif
+}
+
+float schlick(float cosine) {
+  float c = 1.0 - cosine;
+  float c2 = c * c;
+  return normal_reflectance + (1.0 - normal_reflectance) * c2 * c2 * c;
+}
+
+float fresnel(float cosine) {
+  float n = refractive_index;
+  float beyond = sqrt(1.0 - (1.0 - cosine * cosine) / (n * n));
+  float s = (cosine - n * beyond) / (cosine + n * beyond);
+  float p = (n * cosine - beyond) / (n * cosine + beyond);
+  return 0.5 * (s * s + p * p);
+}
+
+// Torrance-Sparrow with Beckmann's facets and V-grooves, times n.l: what a lamp of irradiance 1
+// sends to the viewer.
+float lobe(vec3 n, float roughness) {
+  float n_l = dot(n, lamp_direction), n_v = n.z;
+  if (n_l <= 0.0) return 0.0;
+  vec3 between = lamp_direction + vec3(0.0, 0.0, 1.0);
+  float size = sqrt(dot(between, between));
+  if (size < 1e-3) return 0.0;
+  float n_h = dot(n, between) / size, v_h = 0.5 * size;
+  float c2 = n_h * n_h, a2 = roughness * roughness;
+  float density = exp((c2 - 1.0) / (c2 * a2)) / (kPi * a2 * c2 * c2);
+  float grooves = min(1.0, 2.0 * n_h * min(n_v, n_l) / v_h);
+  return fresnel(v_h) * density * grooves / (4.0 * n_v);
+}

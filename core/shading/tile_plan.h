@@ -1,0 +1,37 @@
+#pragma once
+// How a picture is cut into tiles so that no texture, target or strip grows beyond its budget.
+
+#include <vector>
+
+#include "core/shading/sampling.h"
+
+namespace pentimento {
+
+struct TileRun {
+  int first = 0;  // pixel in the whole picture
+  int count = 0;
+};
+
+struct TilePlan {
+  std::vector<TileRun> columns;
+  std::vector<TileRun> rows;
+  int width = 0;  // of the largest tile
+  int height = 0;
+};
+
+struct TileDemand {
+  SampleAxis x;
+  SampleAxis y;
+  TileRun crop_x;
+  TileRun crop_y;
+  int tile = 1024;       // side wanted, pixels
+  int input_texels = 1;  // RGBA texels uploaded per cell
+  int targets = 1;       // RGBA targets drawn
+  int planes = 3;        // float planes of a strip
+};
+
+/// Tiles of the wanted side, smaller where the state's window would exceed 4096 cells a side or
+/// 512 MiB (Mesa refuses textures over 1 GiB), the targets 1 GiB, or a strip 256 MiB.
+TilePlan plan_tiles(const TileDemand& demand);
+
+}  // namespace pentimento
