@@ -35,6 +35,10 @@ struct CanvasState {
   std::vector<Field<float>> pigment;      // >= 0, [layer * channels + channel]
   Field<std::uint32_t> stroke;            // id of the last stroke that touched the cell, 0 = none
   std::int64_t step = 0;                  // simulation steps done so far
+  // Which tiles of the conservative scheme sleep, and since which gravity (its tiles.h): part of
+  // the state, to be dumped with it. Empty = all awake: whoever changes planes by anything but a
+  // stamp (drying, loading an image, clearing) empties it.
+  std::vector<float> sleep;
 
   Field<float>& channel(int layer, int c) { return pigment[plane_index(layer, c)]; }
   const Field<float>& channel(int layer, int c) const { return pigment[plane_index(layer, c)]; }

@@ -29,6 +29,14 @@ struct Model {
   bool superbee = false;    // limiter of `conservative`: superbee in place of MC
   float brush_push = 0.2f;  // alpha of the stamp displacement; `conservative`
 
+  // The rest of `conservative`; docs/numerics.md has the reason of each number.
+  float layer_speed = 2.0f;         // layer k of n moves with this (k + 1/2)/n u; 1 is the paper's
+  float crowding_m_s2 = 200.0f;     // pressure of paint 20 % deeper than max_medium, per slope
+  float sleep_tile_m = 1.0f / 32;   // side of a tile that sleeps or wakes as a whole
+  float wake_gravity_m_s2 = 0.05f;  // a change of gravity that wakes sleeping paint
+  int viscosity_cycles = 5;         // V-cycles per step and velocity component
+  int height_cycles = 4;            // V-cycles per step
+
   // Brush and transfer (R21-R28).
   float film_medium_m = 0.002f;    // one pass with full medium slider lays this (mean over tip)
   float film_pigment = 0.04f;      // one pass with full pigment slider lays this

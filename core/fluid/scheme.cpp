@@ -1,5 +1,6 @@
 #include "core/fluid/scheme.h"
 
+#include "core/fluid/conservative/conservative_scheme.h"
 #include "core/fluid/paper/paper_scheme.h"
 
 namespace pentimento {
@@ -10,7 +11,7 @@ std::unique_ptr<FluidScheme> make_scheme(SchemeKind kind, const CanvasGeometry& 
     case SchemeKind::kPaper:
       return std::make_unique<paper::PaperScheme>(geometry, layers, channels);
     case SchemeKind::kConservative:
-      break;
+      return std::make_unique<conservative::ConservativeScheme>(geometry);
   }
   check_failed("the scheme exists", __FILE__, __LINE__);
 }

@@ -1,0 +1,62 @@
+#pragma once
+// A rectangle of cells as the flat array the remap works on (remap_plan.h): one run of a row that
+// moves along x, or one strip of columns that moves along y. Loads, stores, edge displacements.
+
+#include "core/fluid/conservative/remap_row.h"
+#include "core/fluid/conservative/tiles.h"
+#include "core/fluid/conservative/transport.h"
+
+namespace pentimento::conservative {
+
+struct Block {
+  CellBox box;
+  Axis axis = Axis::kX;
+  int width() const { return box.x1 - box.x0; }
+  int height() const { return box.y1 - box.y0; }
+  int cells() const { return width() * height(); }
+  int step() const { return axis == Axis::kX ? 1 : width(); }
+};
+
+/// Copies the block's cells of a plane (anything with row(y)) to or from a flat array.
+template <typename Plane>
+void load_block(const Block& b, const Plane& plane, float* out) {
+  for (int y = b.box.y0; y < b.box.y1; ++y, out += b.width())
+    std::copy_n(plane.row(y) + b.box.x0, b.width(), out);
+}
+template <typename Plane>
+void store_block(const Block& b, const float* in, Plane& plane) {
+  for (int y = b.box.y0; y < b.box.y1; ++y, in += b.width())
+    std::copy_n(in, b.width(), plane.row(y) + b.box.x0);
+}
+
+/// Calls body(first, n) for each row of inner edges: edges [first, first + n) lie between the
+/// cells [first - step, ...) and [first, ...). The two end edges of a line are walls.
+template <typename Body>
+void for_inner_edges(const Block& b, const Body& body) {
+  if (b.axis == Axis::kX) {
+    if (b.width() > 1) body(1, b.width() - 1, b.box.x0, b.box.y0);
+  } else {
+    for (int r = 1; r < b.height(); ++r) body(r * b.width(), b.width(), b.box.x0, b.box.y0 + r - 1);
+  }
+}
+
+/// Calls body(block) for all awake blocks along `axis`, in parallel.
+template <typename Body>
+void for_blocks(const Tiles& tiles, Axis axis, const Threads& threads, const Body& body) {
+  if (axis == Axis::kX) {
+    const auto& runs = tiles.runs();
+    threads.for_ranges(0, static_cast<int>(runs.size()), 8, [&](int begin, int end) {
+      body(begin, end, [&](int k) {
+        const Run& r = runs[static_cast<std::size_t>(k)];
+        return Block{{r.x0, r.x1, r.y, r.y + 1}, axis};
+      });
+    });
+  } else {
+    const auto& strips = tiles.strips();
+    threads.for_ranges(0, static_cast<int>(strips.size()), 1, [&](int begin, int end) {
+      body(begin, end, [&](int k) { return Block{strips[static_cast<std::size_t>(k)], axis}; });
+    });
+  }
+}
+
+}  // namespace pentimento::conservative

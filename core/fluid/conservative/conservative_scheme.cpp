@@ -1,0 +1,244 @@
+#include "core/fluid/conservative/conservative_scheme.h"
+
+#include <algorithm>
+
+#include "core/fluid/conservative/face_row.h"
+#include "core/fluid/conservative/force_row.h"
+#include "core/fluid/conservative/height_row.h"
+#include "core/fluid/conservative/settle_quanta.h"
+#include "core/fluid/conservative/transport.h"
+#include "core/fluid/conservative/viscous_row.h"
+#include "core/fluid/rheology.h"
+
+namespace pentimento::conservative {
+namespace {
+
+constexpr float kCrowdedFrac = 0.2f;  // of max_medium: the depth over which crowding rises
+
+float cap_of(const Model& model) {
+  return model.speed_cap_m_s > 0 ? model.speed_cap_m_s : 1e9f;  // 0 = off
+}
+
+float positive(float x) {
+  return x > 0 ? x : 0.0f;
+}
+
+FaceRow faces_at(NodePlanes& n, int x, int y) {
+  return {n.depth_m.row(y) + x, n.mobility_frac.row(y) + x, n.viscosity_m2_s.row(y) + x,
+          n.friction_frac.row(y) + x};
+}
+
+// Calls body(y, x, n) for the inner x faces of each run, or the open y faces.
+template <typename Body>
+void for_open_faces(const Tiles& tiles, Axis axis, const Run& r, const Body& body) {
+  if (axis == Axis::kX) {
+    if (r.size() > 1) body(r.x0, r.size() - 1);
+  } else {
+    tiles.for_open_below(r, [&](int x0, int x1) { body(x0, x1 - x0); });
+  }
+}
+
+}  // namespace
+
+ConservativeScheme::ConservativeScheme(const CanvasGeometry& geometry)
+    : geometry_(geometry), work_(geometry) {}
+
+bool ConservativeScheme::step(CanvasState& state, const StepInput& in) {
+  if (!tiles_) tiles_ = std::make_unique<Tiles>(geometry_, in.model.sleep_tile_m);
+  steps_ += 1;
+  for (const int tile : tiles_->wake(state, in)) work_.clear(tiles_->box(tile));
+  if (tiles_->awake_tiles().empty()) return false;
+  work_.solver.set_runs(tiles_->runs());
+
+  settle_quanta(state, in);
+  transport(state, in);
+  find_rheology(state, in);
+  find_faces(state, in);
+  apply_viscosity(state, in);
+  apply_forces(in);
+  solve_height(state, in);
+  finish(state, in);
+  tiles_->fall_asleep(state, in, [&](const CellBox& b) { return feels_gravity(b); });
+  account(state, in);
+  return true;
+}
+
+void ConservativeScheme::transport(CanvasState& state, const StepInput& in) {
+  const bool even = state.step % 2 == 0;
+  const Axis first = even ? Axis::kX : Axis::kY;
+  const Axis second = even ? Axis::kY : Axis::kX;
+  fill_node_masses(state, *tiles_, in.threads, work_);
+  fill_node_velocities(state, *tiles_, in.threads, work_);
+  for (const Axis axis : {first, second}) move_momentum(state, in, axis, *tiles_, work_);
+  for (const Axis axis : {first, second}) move_paint(state, in, axis, *tiles_);
+}
+
+void ConservativeScheme::find_rheology(const CanvasState& state, const StepInput& in) {
+  const Rheology rheology = make_rheology(in.model);
+  for_runs(in.threads, tiles_->runs(), [&](const Run& r) {
+    const auto n = static_cast<std::size_t>(r.size());
+    const float* depth = state.depth_m.row(r.y) + r.x0;
+    const float* base = state.base_m.row(r.y) + r.x0;
+    float* height = work_.height_m.row(r.y) + r.x0;
+    for (std::size_t i = 0; i < n; ++i) height[i] = base[i] + depth[i];
+    // The amounts are only needed on the way: they lie where the crowding will.
+    const std::span<float> amount{work_.crowding_m_s2.row(r.y) + r.x0, n};
+    total_amount_row(state, in.amount, r.y, r.x0, r.x1, amount);
+    rheology_row(rheology, 0.0f, {depth, n}, amount, {work_.mobility_frac.row(r.y) + r.x0, n},
+                 {work_.viscosity_m2_s.row(r.y) + r.x0, n});
+  });
+}
+
+void ConservativeScheme::find_faces(const CanvasState& state, const StepInput& in) {
+  const FaceParameters p{in.model.dry_film_m(), in.model.friction_viscosity_floor_m2_s,
+                         3 * in.dt_s * in.model.bed_friction};
+  const auto cells = [&](int x, int y) {
+    return CellRow{state.depth_m.row(y) + x, state.base_m.row(y) + x, work_.height_m.row(y) + x,
+                   work_.mobility_frac.row(y) + x, work_.viscosity_m2_s.row(y) + x};
+  };
+  for_runs(in.threads, tiles_->runs(), [&](const Run& r) {
+    close_faces_row(1, faces_at(work_.x, r.x1 - 1, r.y));
+    for_open_faces(*tiles_, Axis::kX, r, [&](int x, int n) {
+      face_row(p, cells(x, r.y), cells(x + 1, r.y), n, faces_at(work_.x, x, r.y));
+    });
+    if ((r.y + 1) % tiles_->tile_height() == 0 || r.y + 1 == geometry_.height)
+      close_faces_row(r.size(), faces_at(work_.y, r.x0, r.y));
+    for_open_faces(*tiles_, Axis::kY, r, [&](int x, int n) {
+      face_row(p, cells(x, r.y), cells(x, r.y + 1), n, faces_at(work_.y, x, r.y));
+    });
+  });
+}
+
+void ConservativeScheme::apply_viscosity(const CanvasState& state, const StepInput& in) {
+  Multigrid& solver = work_.solver;
+  const float per_dx2 = in.dt_s / (state.geometry.dx_m() * state.geometry.dx_m());
+  const float per_dy2 = in.dt_s / (state.geometry.dy_m() * state.geometry.dy_m());
+  const float nu = std::max(in.model.nu_max_m2_s, in.model.friction_viscosity_floor_m2_s);
+  const int levels = solver.levels_for(nu * std::max(per_dx2, per_dy2));
+  for (NodePlanes* nodes : {&work_.x, &work_.y}) {
+    const WorkPlane& depth = nodes->depth_m;
+    const WorkPlane& viscosity = nodes->viscosity_m2_s;
+    for_runs(in.threads, tiles_->runs(), [&](const Run& r) {
+      const int x = r.x0;
+      const int y = r.y;
+      const ViscousNodes v{depth.row(y - 1) + x,     depth.row(y) + x,
+                           depth.row(y + 1) + x,     viscosity.row(y) + x,
+                           viscosity.row(y + 1) + x, nodes->velocity_m_s.row(y) + x};
+      viscous_row(v, per_dx2, per_dy2, r.size(),
+                  {solver.cx().row(y) + x, solver.cy().row(y) + x, solver.zero_order().row(y) + x,
+                   solver.rhs().row(y) + x, solver.solution().row(y) + x});
+    });
+    solver.solve(in.model.viscosity_cycles, levels, in.threads);
+    for_runs(in.threads, tiles_->runs(), [&](const Run& r) {
+      std::copy_n(solver.solution().row(r.y) + r.x0, r.size(), nodes->velocity_m_s.row(r.y) + r.x0);
+    });
+  }
+}
+
+void ConservativeScheme::apply_forces(const StepInput& in) {
+  const float speed_x = in.dt_s * in.gravity_m_s2.x;
+  const float speed_y = in.dt_s * in.gravity_m_s2.y;
+  const auto apply = [&](NodePlanes& n, float speed, const Run& r) {
+    const LateralGravity g{speed, in.model.dry_film_m(), in.model.phi_scales_lateral};
+    force_row(g, n.depth_m.row(r.y) + r.x0, n.mobility_frac.row(r.y) + r.x0,
+              n.friction_frac.row(r.y) + r.x0, r.size(), n.velocity_m_s.row(r.y) + r.x0);
+  };
+  for_runs(in.threads, tiles_->runs(), [&](const Run& r) {
+    apply(work_.x, speed_x, r);
+    apply(work_.y, speed_y, r);
+  });
+}
+
+void ConservativeScheme::solve_height(const CanvasState& state, const StepInput& in) {
+  Multigrid& solver = work_.solver;
+  const float dx = state.geometry.dx_m();
+  const float dy = state.geometry.dy_m();
+  const float full = in.model.max_medium_m;
+  const Crowding crowding{full, kCrowdedFrac * full, in.model.crowding_m_s2};
+  for_runs(in.threads, tiles_->runs(), [&](const Run& r) {
+    const int x = r.x0;
+    const int y = r.y;
+    const FluxRow f{work_.x.depth_m.row(y) + x,     work_.x.velocity_m_s.row(y) + x,
+                    work_.y.depth_m.row(y - 1) + x, work_.y.velocity_m_s.row(y - 1) + x,
+                    work_.y.depth_m.row(y) + x,     work_.y.velocity_m_s.row(y) + x};
+    float* rhs = solver.rhs().row(y) + x;
+    height_rhs_row(f, work_.height_m.row(y) + x, in.dt_s / dx, in.dt_s / dy, r.size(), rhs);
+    crowding_row(crowding, state.depth_m.row(y) + x, state.base_m.row(y) + x, rhs, r.size(),
+                 work_.crowding_m_s2.row(y) + x);
+    std::fill_n(solver.zero_order().row(y) + x, r.size(), 1.0f);
+    std::copy_n(work_.height_m.row(y) + x, r.size(), solver.solution().row(y) + x);
+  });
+  const float gravity = positive(in.gravity_m_s2.z);
+  const auto pressure = [&](NodePlanes& n, const Run& r, int down, float per_d2, WorkPlane& c) {
+    const float* crowded = work_.crowding_m_s2.row(r.y) + r.x0;
+    const float* next = work_.crowding_m_s2.row(r.y + down) + r.x0 + 1 - down;
+    pressure_row({n.depth_m.row(r.y) + r.x0, n.mobility_frac.row(r.y) + r.x0,
+                  n.friction_frac.row(r.y) + r.x0, crowded, next},
+                 in.dt_s * gravity, in.dt_s, in.dt_s * per_d2, r.size(),
+                 n.pressure_m_s.row(r.y) + r.x0, c.row(r.y) + r.x0);
+  };
+  for_runs(in.threads, tiles_->runs(), [&](const Run& r) {
+    pressure(work_.x, r, 0, 1 / (dx * dx), solver.cx());
+    pressure(work_.y, r, 1, 1 / (dy * dy), solver.cy());
+  });
+  const float nearest = std::min(dx, dy);
+  const float strongest =
+      (gravity + in.model.crowding_m_s2) * in.dt_s * in.dt_s * full / (nearest * nearest);
+  solver.solve(in.model.height_cycles, solver.levels_for(strongest), in.threads);
+}
+
+void ConservativeScheme::finish(CanvasState& state, const StepInput& in) {
+  const FinishLimits limits{in.model.velocity_threshold_m_s, cap_of(in.model)};
+  const float per_dx = 1 / state.geometry.dx_m();
+  const float per_dy = 1 / state.geometry.dy_m();
+  const WorkPlane& height = work_.solver.solution();
+  const auto one = [&](NodePlanes& n, const Run& r, int down, float per_d, Field<float>& out) {
+    float* u = n.velocity_m_s.row(r.y) + r.x0;
+    finish_row(limits, n.depth_m.row(r.y) + r.x0, n.pressure_m_s.row(r.y) + r.x0,
+               height.row(r.y) + r.x0, height.row(r.y + down) + r.x0 + 1 - down, per_d, r.size(),
+               u);
+    std::copy_n(u, r.size(), out.row(r.y) + r.x0);
+  };
+  for_runs(in.threads, tiles_->runs(), [&](const Run& r) {
+    one(work_.x, r, 0, per_dx, state.velocity_x_m_s);
+    one(work_.y, r, 1, per_dy, state.velocity_y_m_s);
+  });
+}
+
+bool ConservativeScheme::feels_gravity(const CellBox& b) const {
+  for (const NodePlanes* n : {&work_.x, &work_.y})
+    for (int y = b.y0 - 1; y < b.y1; ++y)
+      for (int x = b.x0 - 1; x < b.x1; ++x)
+        if (n->mobility_frac.row(y)[x] > 0) return true;
+  return false;
+}
+
+void ConservativeScheme::account(const CanvasState& state, const StepInput& in) {
+  const std::vector<int>& awake = tiles_->awake_tiles();
+  std::vector<float> speed(awake.size()), depth(awake.size());
+  in.threads.for_ranges(0, static_cast<int>(awake.size()), 16, [&](int begin, int end) {
+    for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
+      const CellBox b = tiles_->box(awake[k]);
+      for (int y = b.y0; y < b.y1; ++y)
+        for (int x = b.x0; x < b.x1; ++x) {
+          depth[k] = std::max(depth[k], state.depth_m(x, y));
+          const float u = state.velocity_x_m_s(x, y);
+          const float v = state.velocity_y_m_s(x, y);
+          speed[k] = std::max({speed[k], u, -u, v, -v});
+        }
+    }
+  });
+  for (const float s : speed) speed_max_m_s_ = std::max(speed_max_m_s_, static_cast<double>(s));
+  for (const float d : depth) depth_max_m_ = std::max(depth_max_m_, static_cast<double>(d));
+  awake_share_sum_ += tiles_->awake_share();
+  awake_share_max_ = std::max(awake_share_max_, tiles_->awake_share());
+}
+
+std::vector<std::pair<std::string, double>> ConservativeScheme::statistics() const {
+  return {{"awake_share_mean", steps_ > 0 ? awake_share_sum_ / steps_ : 0},
+          {"awake_share_max", awake_share_max_},
+          {"max_speed_m_s", speed_max_m_s_},
+          {"max_depth_m", depth_max_m_}};
+}
+
+}  // namespace pentimento::conservative

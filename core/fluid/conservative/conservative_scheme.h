@@ -1,0 +1,45 @@
+#pragma once
+// The fluid that loses no paint: staggered velocities, forward remap of paint and momentum,
+// implicit viscosity and pressure by multigrid, bed friction, sleeping tiles. What it departs from
+// in the paper, and why, is in docs/numerics.md.
+//
+// velocity_x_m_s(i, j) lives on the right face of cell (i, j), velocity_y_m_s(i, j) on its lower
+// face; the last column and row are walls and hold 0.
+
+#include <memory>
+
+#include "core/fluid/conservative/tiles.h"
+#include "core/fluid/conservative/workspace.h"
+#include "core/fluid/scheme.h"
+
+namespace pentimento::conservative {
+
+class ConservativeScheme : public FluidScheme {
+ public:
+  explicit ConservativeScheme(const CanvasGeometry& geometry);
+
+  bool step(CanvasState& state, const StepInput& in) override;
+  std::vector<std::pair<std::string, double>> statistics() const override;
+
+ private:
+  void transport(CanvasState& state, const StepInput& in);
+  void find_rheology(const CanvasState& state, const StepInput& in);
+  void find_faces(const CanvasState& state, const StepInput& in);
+  void apply_viscosity(const CanvasState& state, const StepInput& in);
+  void apply_forces(const StepInput& in);
+  void solve_height(const CanvasState& state, const StepInput& in);
+  void finish(CanvasState& state, const StepInput& in);
+  bool feels_gravity(const CellBox& box) const;
+  void account(const CanvasState& state, const StepInput& in);
+
+  CanvasGeometry geometry_;
+  std::unique_ptr<Tiles> tiles_;  // made at the first step: their size is a parameter
+  Workspace work_;
+  double steps_ = 0;
+  double awake_share_sum_ = 0;
+  double awake_share_max_ = 0;
+  double speed_max_m_s_ = 0;
+  double depth_max_m_ = 0;
+};
+
+}  // namespace pentimento::conservative

@@ -1,0 +1,126 @@
+#include <algorithm>
+
+#include "core/fluid/conservative/block.h"
+#include "core/fluid/conservative/layer_speed_row.h"
+#include "core/fluid/conservative/quantum.h"
+#include "core/fluid/conservative/transport.h"
+
+namespace pentimento::conservative {
+namespace {
+
+// Everything one thread needs to move the paint of a block; buffers are kept between blocks.
+class PaintMover {
+ public:
+  PaintMover(CanvasState& state, const StepInput& in, Axis axis)
+      : state_(state), in_(in), axis_(axis) {
+    amount_.superbee = depth_.superbee = in.model.superbee;
+    depth_.rounder = rounder_for(quantum_for(in.model.max_medium_m));
+    amount_.rounder = rounder_for(quantum_for(in.model.max_pigment));
+  }
+
+  void move(const Block& b) {
+    const auto n = static_cast<std::size_t>(b.cells());
+    plan_.resize(b.cells(), b.step());
+    scratch_.resize(b.cells(), b.step());
+    for (std::vector<float>* v : {&flow_, &push_}) v->assign(plan_.edge.size(), 0);
+    for (std::vector<float>* v : {&occupied_, &share_, &held_}) v->assign(n, 0);
+    fill_displacements(b);
+    count_layers(b);
+    move_depth(b);
+    for (int layer = 0; layer < state_.layers; ++layer) move_layer(b, layer);
+  }
+
+ private:
+  void fill_displacements(const Block& b) {
+    const bool along_x = axis_ == Axis::kX;
+    const CanvasGeometry& g = state_.geometry;
+    const float per_m = 1 / (along_x ? g.dx_m() : g.dy_m());
+    const Field<float>& velocity = along_x ? state_.velocity_x_m_s : state_.velocity_y_m_s;
+    const Field<float>& push = along_x ? in_.contact.push_x_m : in_.contact.push_y_m;
+    const int next_row = along_x ? 0 : 1;
+    const int next_column = along_x ? 1 : 0;
+    for_inner_edges(b, [&](int first, int n, int x, int y) {
+      const float* u = velocity.row(y) + x;
+      for (int i = 0; i < n; ++i) flow_[at(first + i)] = u[i] * in_.dt_s * per_m;
+      if (y + next_row < in_.contact.row_begin || y >= in_.contact.row_end) return;
+      const float* here = push.row(y) + x;
+      const float* next = push.row(y + next_row) + x + next_column;
+      for (int i = 0; i < n; ++i) push_[at(first + i)] = 0.5f * (here[i] + next[i]) * per_m;
+    });
+  }
+
+  // occupied_ = highest layer with pigment, counted from 1. Also the share of layer 0 that moves.
+  void count_layers(const Block& b) {
+    for (int layer = 0; layer < state_.layers; ++layer) {
+      for (int c = 0; c < state_.channels; ++c) {
+        load_block(b, state_.channel(layer, c), held_.data());
+        const auto count = static_cast<float>(layer + 1);
+        for (std::size_t i = 0; i < held_.size(); ++i)
+          occupied_[i] = held_[i] > 0 ? count : occupied_[i];
+        if (layer == 0)
+          for (std::size_t i = 0; i < held_.size(); ++i) share_[i] += in_.amount[at(c)] * held_[i];
+      }
+    }
+    const float residue = in_.model.pigment_residue;
+    for (float& s : share_) s = s > residue ? (s - residue) / s : 0.0f;
+  }
+
+  void move_depth(const Block& b) {
+    for (std::size_t e = 0; e < plan_.edge.size(); ++e)
+      plan_.edge[e] = flow_[e] + 0.5f * push_[e];  // (k + 1/2)/n is 1/2 in the mean over layers
+    plan_remap(plan_);
+    float* value = scratch_.cells(scratch_.value, plan_.step);
+    load_block(b, state_.depth_m, value);
+    remap_block(plan_, depth_, scratch_);
+    store_block(b, value, state_.depth_m);
+  }
+
+  void move_layer(const Block& b, int layer) {
+    const std::size_t s = static_cast<std::size_t>(plan_.step);
+    const std::size_t inner = plan_.edge.size() - 2 * s;
+    layer_speed_row({layer, in_.model.layer_speed}, occupied_.data(), occupied_.data() + s,
+                    flow_.data() + s, push_.data() + s, static_cast<int>(inner),
+                    plan_.edge.data() + s);
+    plan_remap(plan_);
+    float* value = scratch_.cells(scratch_.value, plan_.step);
+    for (int c = 0; c < state_.channels; ++c) {
+      Field<float>& plane = state_.channel(layer, c);
+      load_block(b, plane, value);
+      if (layer == 0) hold_residue(value);
+      remap_block(plan_, amount_, scratch_);
+      if (layer == 0)
+        for (std::size_t i = 0; i < held_.size(); ++i) value[i] += held_[i];
+      store_block(b, value, plane);
+    }
+  }
+
+  void hold_residue(float* value) {
+    for (std::size_t i = 0; i < held_.size(); ++i) {
+      const float free = std::min(rounded(value[i] * share_[i], amount_.rounder), value[i]);
+      held_[i] = value[i] - free;
+      value[i] = free;
+    }
+  }
+
+  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+  CanvasState& state_;
+  const StepInput& in_;
+  Axis axis_;
+  RemapOptions depth_, amount_;
+  RemapPlan plan_;
+  RemapScratch scratch_;
+  std::vector<float> flow_, push_;              // displacement of edges, in cells
+  std::vector<float> occupied_, share_, held_;  // of cells
+};
+
+}  // namespace
+
+void move_paint(CanvasState& state, const StepInput& in, Axis axis, const Tiles& tiles) {
+  for_blocks(tiles, axis, in.threads, [&](int begin, int end, const auto& block_at) {
+    PaintMover mover(state, in, axis);
+    for (int k = begin; k < end; ++k) mover.move(block_at(k));
+  });
+}
+
+}  // namespace pentimento::conservative

@@ -1,0 +1,52 @@
+#pragma once
+// Solves z x - div(c grad x) = rhs (multigrid_rows.h) on the awake part of a grid by a fixed number
+// of V-cycles. No norm is ever taken and nothing is summed over the grid, so the result is a fixed
+// expression of the input: the same bits for any number of threads.
+//
+// What is asleep must hold zeros on all planes: clear() does it. Couplings to nodes asleep are 0.
+
+#include <vector>
+
+#include "core/fluid/conservative/runs.h"
+#include "core/fluid/conservative/work_plane.h"
+#include "core/threads.h"
+
+namespace pentimento::conservative {
+
+class Multigrid {
+ public:
+  /// Planes for a grid and its coarser versions.
+  Multigrid(int width, int height);
+
+  // The system on the finest grid: the caller fills these over the runs before solve().
+  WorkPlane& cx() { return levels_[0].cx; }
+  WorkPlane& cy() { return levels_[0].cy; }
+  WorkPlane& zero_order() { return levels_[0].z; }
+  WorkPlane& rhs() { return levels_[0].rhs; }
+  WorkPlane& solution() { return levels_[0].x; }  // first guess, then the result
+
+  /// The nodes to solve for, by rows.
+  void set_runs(const std::vector<Run>& runs);
+  /// Zeros on all planes of all levels over the fine nodes [x0, x1) x [y0, y1).
+  void clear(int x0, int x1, int y0, int y1);
+  /// Levels needed for couplings up to `coupling`: 4 times weaker on each, down to 0.3.
+  int levels_for(float coupling) const;
+  /// `cycles` V-cycles over `levels` >= 1 grids: two Jacobi sweeps before and after.
+  void solve(int cycles, int levels, const Threads& threads);
+
+ private:
+  struct Level {
+    WorkPlane cx, cy, z, inverse, rhs, x, other;
+    std::vector<Run> runs;
+  };
+  void prepare(int levels, const Threads& threads);
+  void cycle(int level, int levels, const Threads& threads);
+  void smooth(Level& level, const Threads& threads);
+  void smooth_from_zero(Level& level, const Threads& threads);
+  void restrict_residual(Level& fine, Level& coarse, const Threads& threads);
+  void add_correction(Level& fine, Level& coarse, const Threads& threads);
+
+  std::vector<Level> levels_;
+};
+
+}  // namespace pentimento::conservative

@@ -1,0 +1,35 @@
+#pragma once
+// The cells of a block that move far: their image covers any number of cells (remap_plan.h).
+
+#include <vector>
+
+#include "core/fluid/conservative/remap_row.h"
+
+namespace pentimento::conservative {
+
+/// A far cell, with its linear profile, as it was before anything moved.
+struct FarCell {
+  int index = 0;    // in the block
+  float value = 0;  // amount
+  float slope = 0;  // limited difference across the cell
+};
+
+/// The cells that the plan marks; `value` has valid ghosts.
+std::vector<FarCell> take_far_cells(const RemapPlan& plan, const RemapOptions& options,
+                                    const float* value);
+
+/// Adds each far cell where it lands.
+///   image [x_lo + D_lo, x_hi + D_hi], cut at the block's ends; ends swapped if reversed; each
+///   covered cell gets the part of the linear profile mapped onto it, the last one what is left
+/// Scheme: piecewise linear, 2nd order where smooth; monotone.
+/// Stable: any displacement.
+/// Source: Lauritzen et al. 2010 (remap_plan.h).
+/// Departs from it: moved parts are whole quanta; an image of no length falls into one cell.
+void put_far_cells(const RemapPlan& plan, const RemapOptions& options,
+                   const std::vector<FarCell>& far, float* value);
+
+/// The same for momentum: each part carries `speed[k]`, the velocity of far cell k.
+void put_far_momentum(const RemapPlan& plan, const std::vector<FarCell>& far,
+                      const std::vector<float>& speed, float* value, float* momentum);
+
+}  // namespace pentimento::conservative

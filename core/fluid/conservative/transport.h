@@ -1,0 +1,32 @@
+#pragma once
+// One axis of one step's transport: paint (depth and every channel of every layer) and the
+// momentum of velocity nodes, by forward remap, block by block. Velocities are those at the start
+// of the step throughout.
+
+#include "core/canvas_state.h"
+#include "core/fluid/conservative/tiles.h"
+#include "core/fluid/conservative/workspace.h"
+#include "core/fluid/scheme.h"
+
+namespace pentimento::conservative {
+
+enum class Axis { kX, kY };
+
+/// Fluid around each node from the depths, before any transport: the mean of the two cells.
+void fill_node_masses(const CanvasState& state, const Tiles& tiles, const Threads& threads,
+                      Workspace& work);
+
+/// Copies the velocities of the state into the nodes' planes.
+void fill_node_velocities(const CanvasState& state, const Tiles& tiles, const Threads& threads,
+                          Workspace& work);
+
+/// Moves mass and velocity of both components' nodes along `axis`.
+void move_momentum(const CanvasState& state, const StepInput& in, Axis axis, const Tiles& tiles,
+                   Workspace& work);
+
+/// Moves depth with the velocity plus half the brush's push, and every channel of layer k of n
+/// with (k + 1/2)/n of Model::layer_speed velocities plus the push (R18). Of layer 0, only what
+/// exceeds the residue moves (R19).
+void move_paint(CanvasState& state, const StepInput& in, Axis axis, const Tiles& tiles);
+
+}  // namespace pentimento::conservative
