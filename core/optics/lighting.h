@@ -15,12 +15,13 @@ struct ShCoefficients {
 };
 
 /// The default environment: a pale room with one broad soft source at the upper left. Radiance
-/// 0.42 + 0.30 (d . s), s = (-.45, .55, .70) normalised, a little cooler than the lamp. Strength
-/// chosen by eye together with the default lamp (docs/optics.md).
-inline constexpr ShCoefficients kStudioEnvironment{{{{1.459f, 1.489f, 1.548f},
-                                                     {0.336f, 0.338f, 0.345f},
-                                                     {0.428f, 0.430f, 0.438f},
-                                                     {-0.275f, -0.276f, -0.282f},
+/// 0.28 + 0.20 (d . s), s = (-.45, .55, .70), a little cooler than the lamp. Strength chosen by eye
+/// together with the default lamp, so that bare linen is white without a burnt thread
+/// (docs/optics.md).
+inline constexpr ShCoefficients kStudioEnvironment{{{{0.976f, 0.985f, 1.005f},
+                                                     {0.222f, 0.224f, 0.228f},
+                                                     {0.282f, 0.285f, 0.290f},
+                                                     {-0.181f, -0.183f, -0.186f},
                                                      {},
                                                      {},
                                                      {},
@@ -30,8 +31,8 @@ inline constexpr ShCoefficients kStudioEnvironment{{{{1.459f, 1.489f, 1.548f},
 /// One directional lamp. `direction` points towards the lamp, unit length.
 struct Lamp {
   std::array<float, 3> direction = {-0.48f, 0.60f, 0.64f};  // top left
-  float intensity = 1.0f;                                   // irradiance at normal incidence / pi
-  std::array<float, 3> color = {1, 1, 1};
+  float intensity = 0.75f;                                  // irradiance at normal incidence / pi
+  std::array<float, 3> color = {1.0f, 0.976f, 0.94f};
   bool follows_gravity = false;  // fixed in the room: turns against the tablet (lamp.h)
 };
 
@@ -48,7 +49,7 @@ struct Lighting {
   Lamp lamp;
   ShCoefficients environment = kStudioEnvironment;
   ReflectionMap reflection;
-  float roughness_wet = 0.25f;  // Beckmann a
+  float roughness_wet = 0.22f;  // Beckmann a; by eye (docs/optics.md)
   float roughness_dry = 0.45f;
   float refractive_index = 1.48f;
   float relief_scale = 1.0f;  // of the height for normals (A34)

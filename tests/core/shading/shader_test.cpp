@@ -1,0 +1,364 @@
+#include "core/shading/shader.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/reference/painted_scene.h"
+#include "tests/reference/shading.h"
+#include "tests/reference/whole_picture.h"
+
+namespace pentimento {
+namespace {
+
+using reference::Pixel;
+using reference::ShadingReference;
+using reference::WholePicture;
+
+std::unique_ptr<Shader> open(GlBackend backend = GlBackend::kOsmesa) {
+  auto shader = Shader::open(backend, 2);
+  EXPECT_TRUE(shader) << shader.error().message;
+  return shader ? std::move(*shader) : nullptr;
+}
+
+/// One scene with everything a picture depends on.
+struct Scene {
+  ChannelBasis basis = palette_channels(painted::palette());
+  CanvasState state;
+  Model model;
+  Lighting lighting;
+  explicit Scene(int width = 64, int height = 48) : state(painted::scene(basis, width, height)) {}
+
+  WholePicture shade(Shader& shader, const ShadeRequest& request) const {
+    WholePicture picture;
+    const auto done = shader.shade(state, basis, model, lighting, request, {&picture});
+    EXPECT_TRUE(done) << done.error().message;
+    return picture;
+  }
+};
+
+ShadeRequest request(int width, int height, std::vector<std::string> aovs = {}) {
+  ShadeRequest r;
+  r.width = width;
+  r.height = height;
+  r.aovs = std::move(aovs);
+  return r;
+}
+
+const std::vector<std::string> kAllAovs = {"albedo",   "normal",     "height", "depth",  "diffuse",
+                                           "specular", "reflection", "wet",    "pigment"};
+
+/// Largest difference between the shader and its twin, over colours and light.
+double difference_to_reference(const Scene& scene, const WholePicture& picture, int height) {
+  const ShadingReference twin(scene.state, scene.basis, scene.model, scene.lighting, picture.width,
+                              height);
+  double largest = 0;
+  const auto compare = [&](const char* group, const reference::Rgb& expected, int x, int y) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      const std::string name = std::string(group) + "RGB"[c];
+      largest =
+          std::max(largest, std::abs(static_cast<double>(picture.at(name, x, y)) - expected[c]));
+    }
+  };
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < picture.width; ++x) {
+      const Pixel p = twin.pixel(x, y);
+      compare("", p.picture, x, y);
+      compare("albedo.", p.albedo, x, y);
+      compare("diffuse.", p.diffuse, x, y);
+      compare("specular.", p.specular, x, y);
+      compare("reflection.", p.reflection, x, y);
+      EXPECT_NEAR(picture.at("height.Y", x, y), p.height, 1e-8);  // metres; float of millimetres
+      EXPECT_NEAR(picture.at("depth.Y", x, y), p.depth, 1e-8);
+      EXPECT_NEAR(picture.at("wet.Y", x, y), p.wet, 1e-4);
+    }
+  }
+  return largest;
+}
+
+// A tenth of the 1/255 that pictures may differ by across machines.
+constexpr double kTwin = 0.1 / 255;
+
+TEST(Shader, EqualsItsTwinAtTheGridsSize) {
+  const auto shader = open();
+  const Scene scene;
+  EXPECT_LT(difference_to_reference(scene, scene.shade(*shader, request(64, 48, kAllAovs)), 48),
+            kTwin);
+}
+
+TEST(Shader, EqualsItsTwinEnlarged) {
+  const auto shader = open();
+  const Scene scene(32, 24);
+  EXPECT_LT(difference_to_reference(scene, scene.shade(*shader, request(80, 60, kAllAovs)), 60),
+            kTwin);
+}
+
+TEST(Shader, EqualsItsTwinReduced) {
+  const auto shader = open();
+  const Scene scene(100, 75);
+  EXPECT_LT(difference_to_reference(scene, scene.shade(*shader, request(40, 30, kAllAovs)), 30),
+            kTwin);
+}
+
+TEST(Shader, EqualsItsTwinByDepthWithCameraAndExposure) {
+  const auto shader = open();
+  Scene scene;
+  scene.model.optical_thickness = OpticalThickness::kDepth;
+  scene.lighting.exposure_ev = 0.5f;
+  scene.lighting.relief_scale = 0.5f;
+  for (std::size_t c = 0; c < 3; ++c) {
+    scene.lighting.reflection.rgb[c] = Field<float>(16, 9);
+    for (int y = 0; y < 9; ++y) {
+      for (int x = 0; x < 16; ++x) {
+        scene.lighting.reflection.rgb[c](x, y) = static_cast<float>((x * (c + 1) + y) % 5) * 0.3f;
+      }
+    }
+  }
+  // Texture filters keep 8 bits of the fraction between texels: 1/256 of a reflection of 4 %.
+  EXPECT_LT(difference_to_reference(scene, scene.shade(*shader, request(64, 48, kAllAovs)), 48),
+            1 / 255.0);
+}
+
+TEST(Shader, LightAovsSumToThePicture) {
+  const auto shader = open();
+  const Scene scene;
+  const WholePicture p = scene.shade(*shader, request(64, 48, kAllAovs));
+  for (int y = 0; y < 48; ++y) {
+    for (int x = 0; x < 64; ++x) {
+      const float sum =
+          p.at("diffuse.G", x, y) + p.at("specular.G", x, y) + p.at("reflection.G", x, y);
+      EXPECT_NEAR(p.at("G", x, y), sum, 1e-6f);  // float rounding
+    }
+  }
+}
+
+TEST(Shader, PigmentAovIsTheSumOverLayers) {
+  const auto shader = open();
+  const Scene scene;
+  const WholePicture p = scene.shade(*shader, request(64, 48, {"pigment"}));
+  for (int y = 0; y < 48; ++y) {
+    for (int x = 0; x < 64; ++x) {
+      EXPECT_FLOAT_EQ(p.at("pigment.Cadmium Red", x, y),
+                      scene.state.channel(0, 1)(x, y) + scene.state.channel(1, 1)(x, y));
+    }
+  }
+}
+
+TEST(Shader, TilesAreSeamlessToTheBit) {
+  const auto shader = open();
+  const Scene scene(320, 192);
+  ShadeRequest one = request(5000, 3000), many = one;
+  one.tile = 8192;
+  many.tile = 512;
+  const WholePicture whole = scene.shade(*shader, one), tiled = scene.shade(*shader, many);
+  EXPECT_EQ(whole.strips, 1);
+  EXPECT_EQ(tiled.strips, 6);
+  for (const char* plane : {"R", "G", "B"})
+    EXPECT_EQ(whole.planes.at(plane), tiled.planes.at(plane));
+}
+
+TEST(Shader, TilesOfEveryAovAreSeamlessAlsoWhenReduced) {
+  const auto shader = open();
+  const Scene scene(200, 150);
+  ShadeRequest one = request(67, 50, kAllAovs), many = one;
+  many.tile = 13;
+  EXPECT_EQ(scene.shade(*shader, one).planes, scene.shade(*shader, many).planes);
+}
+
+TEST(Shader, ACropIsThePartOfTheWhole) {
+  const auto shader = open();
+  const Scene scene;
+  const WholePicture whole = scene.shade(*shader, request(200, 150));
+  ShadeRequest crop = request(200, 150);
+  crop.crop_x = 61;
+  crop.crop_y = 33;
+  crop.crop_width = 50;
+  crop.crop_height = 117;
+  const WholePicture part = scene.shade(*shader, crop);
+  ASSERT_EQ(part.width, 50);
+  ASSERT_EQ(part.rows, 117);
+  for (int y = 0; y < 117; ++y) {
+    for (int x = 0; x < 50; ++x) EXPECT_EQ(part.at("R", x, y), whole.at("R", x + 61, y + 33));
+  }
+}
+
+TEST(Shader, StripsComeInOrderAndAFailingSinkEndsIt) {
+  struct Failing : PictureSink {
+    int calls = 0;
+    Result<void> write(const PictureStrip&) override {
+      ++calls;
+      return Error{ErrorCode::kIo, "full"};
+    }
+  };
+  const auto shader = open();
+  const Scene scene;
+  ShadeRequest r = request(64, 48);
+  r.tile = 10;
+  const WholePicture p = scene.shade(*shader, r);
+  EXPECT_TRUE(p.in_order);
+  EXPECT_EQ(p.rows, 48);
+  EXPECT_EQ(p.strips, 5);
+  Failing failing;
+  const auto done =
+      shader->shade(scene.state, scene.basis, scene.model, scene.lighting, r, {&failing});
+  ASSERT_FALSE(done);
+  EXPECT_EQ(done.error().message, "full");
+  EXPECT_EQ(failing.calls, 1);
+}
+
+TEST(Shader, PaletteAndOpticalChannelsGiveTheSamePicture) {
+  const auto shader = open();
+  const Scene palette;
+  Scene optical;
+  optical.basis = optical_channels(painted::palette());
+  optical.state = painted::scene(optical.basis, 64, 48);
+  const WholePicture a = palette.shade(*shader, request(90, 70));
+  const WholePicture b = optical.shade(*shader, request(90, 70));
+  for (const char* plane : {"R", "G", "B"}) {
+    for (int y = 0; y < 70; ++y) {
+      // 1e-5: sums of K and S in another order, a few float roundings.
+      for (int x = 0; x < 90; ++x) EXPECT_NEAR(a.at(plane, x, y), b.at(plane, x, y), 1e-5);
+    }
+  }
+}
+
+TEST(Shader, AReducedPictureIsTheAreaMeanOfTheFullOne) {
+  const auto shader = open();
+  const Scene scene;
+  const WholePicture full = scene.shade(*shader, request(64, 48));
+  const WholePicture half = scene.shade(*shader, request(32, 24));
+  for (int y = 0; y < 24; ++y) {
+    for (int x = 0; x < 32; ++x) {
+      const float mean = (full.at("B", 2 * x, 2 * y) + full.at("B", 2 * x + 1, 2 * y) +
+                          full.at("B", 2 * x, 2 * y + 1) + full.at("B", 2 * x + 1, 2 * y + 1)) /
+                         4;
+      EXPECT_NEAR(half.at("B", x, y), mean, 1e-6f);  // float rounding
+    }
+  }
+}
+
+TEST(Shader, NormalsArePhysicalWhateverTheGridAndThePicture) {
+  const auto shader = open();
+  for (const int cells : {20, 77}) {
+    Scene scene(cells, cells);
+    CanvasState& s = scene.state;
+    s.geometry.width_m = 0.5;
+    s.geometry.height_m = 0.25;
+    s = make_canvas_state(s.geometry, 2, 4, 3, 0.9f);
+    for (int y = 0; y < cells; ++y) {
+      for (int x = 0; x < cells; ++x) {  // rises 0.5 m/m to the right, 0.25 m/m downwards
+        s.base_m(x, y) = 0.5f * static_cast<float>(x) * s.geometry.dx_m() +
+                         0.25f * static_cast<float>(y) * s.geometry.dy_m();
+      }
+    }
+    const float length = std::sqrt(1 + 0.25f + 0.0625f);
+    for (const int pixels : {cells, 50, 9}) {
+      const WholePicture p = scene.shade(*shader, request(pixels, pixels, {"normal"}));
+      const int middle = pixels / 2;
+      EXPECT_NEAR(p.at("normal.X", middle, middle), -0.5f / length, 1e-4f);  // float of slopes
+      EXPECT_NEAR(p.at("normal.Y", middle, middle), 0.25f / length, 1e-4f);  // y up: faces the top
+      EXPECT_NEAR(p.at("normal.Z", middle, middle), 1 / length, 1e-4f);
+    }
+  }
+}
+
+TEST(Shader, AWhiteFurnaceSendsBackNoMoreThanItGets) {
+  const auto shader = open();
+  Scene scene;
+  for (Field<float>& band : scene.state.reflectance) band.fill(1);
+  scene.lighting.lamp.intensity = 0;
+  scene.lighting.environment = {};
+  scene.lighting.environment.L[0].fill(3.5449077f);  // radiance 1 all around
+  const WholePicture p = scene.shade(*shader, request(64, 48));
+  for (const char* plane : {"R", "G", "B"}) {
+    for (const float v : p.planes.at(plane)) EXPECT_LE(v, 1 + 1e-5f);
+  }
+  EXPECT_NEAR(p.at("R", 1, 47), 1, 1e-5f);  // bare canvas: all of it, whatever the weave
+}
+
+TEST(Shader, BareLinenIsLinenWhiteUnderTheDefaultLight) {
+  const auto shader = open();
+  Scene scene;
+  scene.state = make_canvas_state({32, 24, 0.25, 0.19}, 2, 4, 3, 0.9f);
+  const WholePicture p = scene.shade(*shader, request(32, 24));
+  for (const char* plane : {"R", "G", "B"}) {
+    const float linear = p.at(plane, 16, 12);
+    const float srgb = 1.055f * std::pow(linear, 1 / 2.4f) - 0.055f;
+    EXPECT_GT(srgb, 0.82f);
+    EXPECT_LT(srgb, 0.92f);
+  }
+}
+
+TEST(Shader, TheCameraSeesTheViewersRightInItsLeftHalf) {
+  const auto shader = open();
+  for (const bool mirror : {true, false}) {
+    Scene scene;
+    scene.state = make_canvas_state({32, 32, 0.1, 0.1}, 1, 4, 3, 0.5f);
+    for (int y = 0; y < 32; ++y) {
+      for (int x = 0; x < 32; ++x) {  // paint that falls off to the right reflects what is there
+        scene.state.depth_m(x, y) = 0.05f - 0.15f * static_cast<float>(x) * 0.003125f;
+      }
+    }
+    for (std::size_t c = 0; c < 3; ++c) scene.lighting.reflection.rgb[c] = Field<float>(8, 8);
+    for (int y = 0; y < 8; ++y) {
+      for (int x = 0; x < 4; ++x) scene.lighting.reflection.rgb[0](x, y) = 1;  // left half red
+    }
+    scene.lighting.reflection.mirror = mirror;
+    const WholePicture p = scene.shade(*shader, request(32, 32, {"reflection"}));
+    EXPECT_EQ(p.at("reflection.R", 16, 16) > 0, mirror);
+  }
+}
+
+TEST(Shader, EglGivesTheSameBitsAsOsmesa) {
+  const auto osmesa = open(GlBackend::kOsmesa);
+  const auto egl = open(GlBackend::kEgl);
+  ASSERT_TRUE(osmesa && egl);
+  const Scene scene;
+  EXPECT_EQ(scene.shade(*osmesa, request(150, 110, kAllAovs)).planes,
+            scene.shade(*egl, request(150, 110, kAllAovs)).planes);
+}
+
+TEST(Shader, SaysWhatItRunsOn) {
+  EXPECT_EQ(open(GlBackend::kOsmesa)->description().rfind("OSMesa, ", 0), 0u);
+  EXPECT_EQ(open(GlBackend::kEgl)->description().rfind("EGL, ", 0), 0u);
+}
+
+TEST(Shader, ShadesUnpaintedCanvasWithoutPigments) {
+  const auto shader = open();
+  Scene scene;
+  scene.basis = ChannelBasis{};
+  scene.basis.K = scene.basis.S = Eigen::MatrixXd(3, 0);
+  scene.state = make_canvas_state({8, 8, 0.1, 0.1}, 1, 0, 3, 0.9f);
+  EXPECT_GT(scene.shade(*shader, request(8, 8)).at("G", 4, 4), 0.5f);
+}
+
+TEST(Shader, RefusesWhatItCannotShade) {
+  const auto shader = open();
+  Scene scene;
+  WholePicture p;
+  const auto error = [&](const ShadeRequest& r) {
+    const auto done = shader->shade(scene.state, scene.basis, scene.model, scene.lighting, r, {&p});
+    return done ? std::string() : done.error().message;
+  };
+  ShadeRequest outside = request(64, 48);
+  outside.crop_x = 60;
+  outside.crop_width = 5;
+  outside.crop_height = 5;
+  EXPECT_EQ(error(outside), "the crop lies outside the picture");
+  EXPECT_NE(error(request(64, 48, {"shine"})).find("unknown AOV 'shine'"), std::string::npos);
+  scene.state.bands = 8;
+  EXPECT_NE(error(request(64, 48)).find("three bands"), std::string::npos);
+}
+
+TEST(AovChannels, AreNamedAsTheDocumentationSays) {
+  const ChannelBasis basis = palette_channels(painted::palette());
+  const auto names = aov_channels({"height", "normal", "pigment", "height"}, basis);
+  ASSERT_TRUE(names);
+  EXPECT_EQ(*names, (std::vector<std::string>{"height.Y", "normal.X", "normal.Y", "normal.Z",
+                                              "pigment.Ultramarine Blue", "pigment.Cadmium Red",
+                                              "pigment.Hansa Yellow", "pigment.Titanium White"}));
+  EXPECT_FALSE(aov_channels({"colour"}, basis));
+}
+
+}  // namespace
+}  // namespace pentimento

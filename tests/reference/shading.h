@@ -1,0 +1,215 @@
+#pragma once
+// The shader's slow twin: one pixel of a picture by the definitions of R29-R35, in double precision
+// and with the functions of core/optics. No tables, tiles or textures.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/canvas_state.h"
+#include "core/model.h"
+#include "core/optics/channels.h"
+#include "core/optics/composite.h"
+#include "core/optics/irradiance.h"
+#include "core/optics/kubelka_munk.h"
+#include "core/optics/lighting.h"
+#include "core/optics/microfacet.h"
+
+namespace pentimento::reference {
+
+using Rgb = std::array<double, 3>;
+
+struct Pixel {
+  Rgb picture{}, albedo{}, normal{}, diffuse{}, specular{}, reflection{};
+  double height = 0, depth = 0, wet = 0;
+};
+
+class ShadingReference {
+ public:
+  ShadingReference(const CanvasState& state, const ChannelBasis& basis, const Model& model,
+                   const Lighting& lighting, int width, int height)
+      : s_(state), basis_(basis), model_(model), light_(lighting), width_(width), height_(height) {}
+
+  Pixel pixel(int x, int y) const {
+    const int n = std::max({1, (s_.geometry.width + width_ - 1) / width_,
+                            (s_.geometry.height + height_ - 1) / height_});
+    Pixel sum;
+    for (int j = 0; j < n; ++j) {
+      for (int i = 0; i < n; ++i) {
+        const double u = (x + (i + 0.5) / n) / width_ * s_.geometry.width - 0.5;
+        const double v = (y + (j + 0.5) / n) / height_ * s_.geometry.height - 0.5;
+        add(sum, sample(u, v), 1.0 / (n * n));
+      }
+    }
+    return sum;
+  }
+
+ private:
+  static void add(Pixel& sum, const Pixel& p, double weight) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      sum.picture[c] += weight * p.picture[c];
+      sum.albedo[c] += weight * p.albedo[c];
+      sum.normal[c] += weight * p.normal[c];
+      sum.diffuse[c] += weight * p.diffuse[c];
+      sum.specular[c] += weight * p.specular[c];
+      sum.reflection[c] += weight * p.reflection[c];
+    }
+    sum.height += weight * p.height;
+    sum.depth += weight * p.depth;
+    sum.wet += weight * p.wet;
+  }
+
+  double at(const Field<float>& f, int x, int y) const {
+    return static_cast<double>(
+        f(std::clamp(x, 0, f.width() - 1), std::clamp(y, 0, f.height() - 1)));
+  }
+  double bilinear(const Field<float>& f, double u, double v) const {
+    const int x = static_cast<int>(std::floor(u)), y = static_cast<int>(std::floor(v));
+    const double a = u - x, b = v - y;
+    return (at(f, x, y) * (1 - a) + at(f, x + 1, y) * a) * (1 - b) +
+           (at(f, x, y + 1) * (1 - a) + at(f, x + 1, y + 1) * a) * b;
+  }
+  double surface(int x, int y) const { return at(s_.base_m, x, y) + at(s_.depth_m, x, y); }
+
+  /// Catmull-Rom through four values, by its Hermite form: ends b, c and slopes of the neighbours.
+  static double spline(const std::array<double, 4>& p, double t) {
+    const double m0 = (p[2] - p[0]) / 2, m1 = (p[3] - p[1]) / 2;
+    const double t2 = t * t, t3 = t2 * t;
+    return (2 * t3 - 3 * t2 + 1) * p[1] + (t3 - 2 * t2 + t) * m0 + (3 * t2 - 2 * t3) * p[2] +
+           (t3 - t2) * m1;
+  }
+  double height_at(double u, double v) const {
+    const int x = static_cast<int>(std::floor(u)), y = static_cast<int>(std::floor(v));
+    std::array<double, 4> column{};
+    for (int j = 0; j < 4; ++j) {
+      std::array<double, 4> row{};
+      for (int i = 0; i < 4; ++i) {
+        row[static_cast<std::size_t>(i)] = surface(x + i - 1, y + j - 1);
+      }
+      column[static_cast<std::size_t>(j)] = spline(row, u - x);
+    }
+    return spline(column, v - y);
+  }
+  Rgb normal_at(double u, double v) const {
+    // The surface has continuous slopes, so a difference over a thousandth of a cell finds them.
+    const double e = 1e-3, scale = static_cast<double>(light_.relief_scale);
+    const double sx = scale * (height_at(u + e, v) - height_at(u - e, v)) / (2 * e) /
+                      static_cast<double>(s_.geometry.dx_m());
+    const double sy = scale * (height_at(u, v + e) - height_at(u, v - e)) / (2 * e) /
+                      static_cast<double>(s_.geometry.dy_m());
+    const double length = std::sqrt(sx * sx + sy * sy + 1);
+    return {-sx / length, sy / length, 1 / length};
+  }
+
+  Rgb albedo_at(double u, double v, double depth) const {
+    Rgb out{};
+    std::vector<Eigen::VectorXd> layers;
+    for (int k = 0; k < s_.layers; ++k) {
+      Eigen::VectorXd c(s_.channels);
+      for (int i = 0; i < s_.channels; ++i) c(i) = bilinear(s_.channel(k, i), u, v);
+      if (basis_.amount.cast<double>().dot(c) > static_cast<double>(kEmptyLayerAmount)) {
+        layers.push_back(c);
+      }
+    }
+    for (std::size_t band = 0; band < 3; ++band) {
+      double R = bilinear(s_.reflectance[band], u, v);
+      for (const Eigen::VectorXd& c : layers) {
+        const double share = depth / static_cast<double>(layers.size()) /
+                             static_cast<double>(model_.depth_reference_m) /
+                             basis_.amount.cast<double>().dot(c);
+        const double f = model_.optical_thickness == OpticalThickness::kDepth
+                             ? share
+                             : 1 / static_cast<double>(model_.pigment_reference);
+        const auto b = static_cast<Eigen::Index>(band);
+        R = km_over(km_film({basis_.K.row(b).dot(c) * f, basis_.S.row(b).dot(c) * f}, 1), R);
+      }
+      out[band] = R;
+    }
+    return out;
+  }
+
+  Rgb reflected(const Rgb& r) const {
+    const ReflectionMap& map = light_.reflection;
+    if (map.rgb[0].empty()) {
+      const auto L = sh_radiance(
+          light_.environment,
+          {static_cast<float>(r[0]), static_cast<float>(r[1]), static_cast<float>(r[2])});
+      return {L[0], L[1], L[2]};
+    }
+    const int w = map.rgb[0].width(), h = map.rgb[0].height();
+    const double focal =
+        0.5 * w / std::tan(static_cast<double>(map.fov_deg) * 3.14159265358979 / 360);
+    const double z = std::max(r[2], 1e-3);
+    const double u = 0.5 * w + (map.mirror ? -1 : 1) * focal * r[0] / z;
+    const double v = 0.5 * h - focal * r[1] / z;
+    Rgb out{};
+    for (std::size_t c = 0; c < 3; ++c) {
+      out[c] = bilinear(map.rgb[c], std::clamp(u - 0.5, 0.0, w - 1.0),
+                        std::clamp(v - 0.5, 0.0, h - 1.0));
+    }
+    return out;
+  }
+
+  Pixel sample(double u, double v) const {
+    Pixel p;
+    p.depth = bilinear(s_.depth_m, u, v);
+    p.height = height_at(u, v);
+    p.normal = normal_at(u, v);
+    p.albedo = albedo_at(u, v, p.depth);
+    const auto covered = [](double film_m) { return 1 - std::exp(-std::max(film_m, 0.0) / 1e-4); };
+    p.wet = covered(p.depth);
+    const double paint = covered(p.depth + bilinear(s_.base_m, u, v) - bilinear(s_.paper_m, u, v));
+    light_up(p, paint);
+    return p;
+  }
+
+  void light_up(Pixel& p, double paint) const {
+    const Rgb& n = p.normal;
+    const double index = static_cast<double>(light_.refractive_index);
+    const double F = paint * fresnel_schlick(n[2], fresnel_normal(index));
+    const auto E = sh_irradiance(
+        light_.environment,
+        {static_cast<float>(n[0]), static_cast<float>(n[1]), static_cast<float>(n[2])});
+    const auto& d = light_.lamp.direction;
+    const double n_l = n[0] * static_cast<double>(d[0]) + n[1] * static_cast<double>(d[1]) +
+                       n[2] * static_cast<double>(d[2]);
+    const Rgb mirror = reflected({2 * n[2] * n[0], 2 * n[2] * n[1], 2 * n[2] * n[2] - 1});
+    const double roughness = static_cast<double>(light_.roughness_dry) * (1 - p.wet) +
+                             static_cast<double>(light_.roughness_wet) * p.wet;
+    const double exposure = std::exp2(static_cast<double>(light_.exposure_ev));
+    const double lobe = paint * gloss(n, roughness, index) * std::max(n_l, 0.0);
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double lamp = static_cast<double>(light_.lamp.intensity * light_.lamp.color[c]);
+      p.diffuse[c] = exposure * (1 - F) * p.albedo[c] *
+                     (static_cast<double>(E[c]) / 3.14159265358979 + lamp * std::max(n_l, 0.0));
+      p.specular[c] = exposure * 3.14159265358979 * lamp * lobe;
+      p.reflection[c] = exposure * F * mirror[c];
+      p.picture[c] = p.diffuse[c] + p.specular[c] + p.reflection[c];
+    }
+  }
+
+  /// Torrance-Sparrow towards the viewer, lamp and viewer turned into the frame of n.
+  double gloss(const Rgb& n, double roughness, double index) const {
+    const Rgb l = {light_.lamp.direction[0], light_.lamp.direction[1], light_.lamp.direction[2]};
+    const auto in_frame = [&](const Rgb& w) {
+      // Two tangents by Gram-Schmidt from x.
+      const double k = 1 / std::sqrt(1 - n[0] * n[0]);
+      const Rgb t = {k * (1 - n[0] * n[0]), -k * n[0] * n[1], -k * n[0] * n[2]};
+      const Rgb b = {n[1] * t[2] - n[2] * t[1], n[2] * t[0] - n[0] * t[2],
+                     n[0] * t[1] - n[1] * t[0]};
+      const auto dot = [&](const Rgb& a) { return a[0] * w[0] + a[1] * w[1] + a[2] * w[2]; };
+      return Rgb{dot(t), dot(b), dot(n)};
+    };
+    return torrance_sparrow(FacetDistribution::kBeckmann, roughness, index, in_frame(l),
+                            in_frame({0, 0, 1}));
+  }
+
+  const CanvasState& s_;
+  const ChannelBasis& basis_;
+  const Model& model_;
+  const Lighting& light_;
+  int width_;
+  int height_;
+};
+
+}  // namespace pentimento::reference
