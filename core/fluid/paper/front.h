@@ -1,20 +1,32 @@
 #pragma once
+// How the front of a film gets on. A bare cell has no velocity, so traced back it stays bare, and
+// R15 gives it none: read to the letter no film ever leaves the cells it lies on, and what moves
+// dies at its front. The paper is silent; so thin cells take the velocity of the thick film that
+// reaches them, a Neumann condition (A9) as wide as the film travels in the step.
+
 #include "core/canvas_state.h"
 #include "core/fluid/paper/planes.h"
 #include "core/fluid/paper/step_constants.h"
 
 namespace pentimento::paper {
 
+/// Thin cells of row y that a thick one in the same row flows into within this step: they receive
+/// its velocity. A thick cell reaches 1 + floor(|u| dt / dx) cells, up to the next thick one; a
+/// stamped one reaches none, for its velocity is the brush's, not the film's.
+void reach_along_row(const StepConstants& k, const CanvasState& state, const BrushContact& contact,
+                     const Velocity& velocity, int y, Columns cells, Reach& reach);
+
+/// The same along the columns `cells`, from rows [row_begin, row_end).
+void reach_along_columns(const StepConstants& k, const CanvasState& state,
+                         const BrushContact& contact, const Velocity& velocity, Columns cells,
+                         int row_begin, int row_end, Reach& reach);
+
 /// The velocity that the step leaves in row y; returns whether any bit changed.
-///   thin cells (d < dry film): the mean velocity of the thicker neighbours that flow into them;
-///   without such neighbours their own, and 0 on bare paper
-/// Scheme: Neumann condition at the front of a film, one cell wide. Stable: a mean.
-/// Source: A9, R15. Departures: the paper is silent. A bare cell has no velocity of its own and so
-/// traces to itself, and R15 gives it none: read to the letter a film's front never moves and the
-/// film dies behind it (tests). With this it moves by at most one cell per step.
-/// Stamped wet cells keep the brush's velocity (R17). Reads the new depth and `u_m_s`, `v_m_s`.
-bool update_velocity_row(const StepConstants& k, const BrushContact& contact,
-                         const Field<float>& u_m_s, const Field<float>& v_m_s, int y, Columns cells,
-                         CanvasState& state);
+///   thin cells (d < dry film): the mean of what reaches them; else, and in all other cells, their
+///   own; 0 on bare paper that nothing reaches
+/// Scheme: first-order extrapolation. Stable: a mean. Source: A9, R15. Departures: see above.
+/// Stamped wet cells keep the brush's velocity (R17); the edge stays closed (R16).
+bool update_velocity_row(const BrushContact& contact, const Velocity& velocity, const Reach& reach,
+                         int y, Columns cells, CanvasState& state);
 
 }  // namespace pentimento::paper

@@ -78,4 +78,10 @@ std::int64_t LiveRows::cells() const {
   return sum;
 }
 
+Columns LiveRows::box() const {
+  Columns box;
+  for (const Columns& c : live_) box = hull(box, c);
+  return box;
+}
+
 }  // namespace pentimento::paper

@@ -25,6 +25,8 @@ class LiveRows {
   int row_begin() const { return row_begin_; }
   int row_end() const { return row_end_; }
   std::int64_t cells() const;
+  /// The columns between the first and the last live cell of all rows.
+  Columns box() const;
 
  private:
   std::vector<Columns> wet_, live_, margin_;

@@ -18,9 +18,17 @@ namespace pentimento::paper {
 namespace {
 
 constexpr int kRowsPerTask = 8;
+constexpr int kColumnsPerTask = 64;  // whole cache lines, so that tasks share none
 
 std::size_t at(int y) {
   return static_cast<std::size_t>(y);
+}
+
+/// Zeroes the cells of `box` outside `kept`.
+void clear_around(Columns kept, Columns box, float* row) {
+  const int middle = kept.empty() ? box.end : std::clamp(kept.begin, box.begin, box.end);
+  std::fill(row + box.begin, row + middle, 0.0f);
+  if (!kept.empty() && kept.end < box.end) std::fill(row + kept.end, row + box.end, 0.0f);
 }
 
 /// Mobility and viscosity of row y; stamped cells get no viscosity, so that the sweeps leave the
@@ -69,13 +77,10 @@ bool PaperScheme::step(CanvasState& state, const StepInput& in) {
     row_changed_[at(y)] |= update_depth_row(planes_, height_m, y, cells, state) ? 1 : 0;
   });
   move_pigment(state, in, velocity);
-  for_live_rows(in, [&](int y, Columns cells) {
-    row_changed_[at(y)] |= update_velocity_row(constants_, in.contact, planes_.u_m_s[velocity],
-                                               planes_.v_m_s[velocity], y, cells, state)
-                               ? 1
-                               : 0;
-  });
-  count_step();
+  store_velocity(state, in, velocity);
+  max_speed_m_s_ = std::max(max_speed_m_s_, static_cast<double>(fastest_m_s()));
+  live_frac_sum_ += static_cast<double>(rows_.cells()) /
+                    (static_cast<double>(state.geometry.width) * state.geometry.height);
   // A stamp set velocities before the step, so whether they differ from the last step's is unknown.
   return !in.contact.empty() ||
          std::find(row_changed_.begin(), row_changed_.end(), 1) != row_changed_.end();
@@ -102,7 +107,8 @@ void PaperScheme::prepare(CanvasState& state, const StepInput& in) {
 void PaperScheme::trace(const CanvasState& state, const StepInput& in) {
   for_live_rows(in, [&](int y, Columns cells) {
     trace_row(constants_, state, y, cells,
-              {planes_.u_m_s[0].row(y), planes_.v_m_s[0].row(y), planes_.system.centre.row(y)});
+              {planes_.u_m_s[0].row(y), planes_.v_m_s[0].row(y), planes_.system.centre.row(y),
+               planes_.mobility_frac});
   });
 }
 
@@ -174,12 +180,44 @@ void PaperScheme::move_pigment(CanvasState& state, const StepInput& in, std::siz
   }
 }
 
-void PaperScheme::count_step() {
+float PaperScheme::fastest_m_s() const {
+  float speed2 = 0;
   for (int y = rows_.row_begin(); y < rows_.row_end(); ++y)
-    if (!rows_.live(y).empty())
-      max_speed_m_s_ = std::max(max_speed_m_s_, std::sqrt(static_cast<double>(row_speed2_[at(y)])));
-  live_frac_sum_ += static_cast<double>(rows_.cells()) /
-                    (static_cast<double>(planes_.wet.width()) * planes_.wet.height());
+    if (!rows_.live(y).empty()) speed2 = std::max(speed2, row_speed2_[at(y)]);
+  return std::sqrt(speed2);
+}
+
+void PaperScheme::store_velocity(CanvasState& state, const StepInput& in, std::size_t velocity) {
+  const int width = state.geometry.width, height = state.geometry.height;
+  const float cell_m = std::min(constants_.dx_m, constants_.dy_m);
+  const float travel = fastest_m_s() * constants_.dt_s / cell_m;
+  const int reach = travel == 0.0f ? 0 : 1 + static_cast<int>(std::min(travel, 1e6f));
+  const Columns live = rows_.box();
+  const Columns box{std::max(live.begin - reach, 0), std::min(live.end + reach, width)};
+  const int row_begin = std::max(rows_.row_begin() - reach, 0);
+  const int row_end = std::min(rows_.row_end() + reach, height);
+  Field<float>&u = planes_.u_m_s[velocity], &v = planes_.v_m_s[velocity];
+
+  in.threads.for_ranges(row_begin, row_end, kRowsPerTask, [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) {
+      clear_around(rows_.live(y), box, u.row(y));
+      clear_around(rows_.live(y), box, v.row(y));
+      for (Field<float>* f : {&planes_.reach.u_m_s, &planes_.reach.v_m_s, &planes_.reach.count})
+        std::fill(f->row(y) + box.begin, f->row(y) + box.end, 0.0f);
+      if (reach > 0 && !rows_.live(y).empty())
+        reach_along_row(constants_, state, in.contact, {u, v}, y, row_flow_[at(y)], planes_.reach);
+    }
+  });
+  if (reach > 0)
+    in.threads.for_ranges(box.begin, box.end, kColumnsPerTask, [&](int begin, int end) {
+      reach_along_columns(constants_, state, in.contact, {u, v}, {begin, end}, row_begin, row_end,
+                          planes_.reach);
+    });
+  in.threads.for_ranges(row_begin, row_end, kRowsPerTask, [&](int begin, int end) {
+    for (int y = begin; y < end; ++y)
+      row_changed_[at(y)] |=
+          update_velocity_row(in.contact, {u, v}, planes_.reach, y, box, state) ? 1 : 0;
+  });
 }
 
 std::vector<std::pair<std::string, double>> PaperScheme::statistics() const {

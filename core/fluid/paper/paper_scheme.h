@@ -32,7 +32,9 @@ class PaperScheme : public FluidScheme {
   template <typename Body>
   void for_live_rows(const StepInput& in, Body body) const;
   void finish_row(const CanvasState& state, const StepInput& in, std::size_t velocity, int y);
-  void count_step();
+  /// Lets fronts advance and stores the velocity.
+  void store_velocity(CanvasState& state, const StepInput& in, std::size_t velocity);
+  float fastest_m_s() const;
 
   StepConstants constants_{};
   Planes planes_;

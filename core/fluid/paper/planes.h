@@ -16,6 +16,17 @@ struct HeightSystem {
   Field<float> centre, left, right, up, down;
 };
 
+/// A velocity field to read.
+struct Velocity {
+  const Field<float>& u_m_s;
+  const Field<float>& v_m_s;
+};
+
+/// Sums over the films that reach a thin cell, and their number (front.h).
+struct Reach {
+  Field<float> u_m_s, v_m_s, count;
+};
+
 struct Planes {
   std::array<Field<float>, 2> height_m;      // h = d + b: two, for the sweeps
   std::array<Field<float>, 3> u_m_s, v_m_s;  // [0] right-hand side, [1], [2] for the sweeps
@@ -25,7 +36,8 @@ struct Planes {
   HeightSystem system;                       // its `centre` receives the traced height first
   Field<std::uint8_t> moved;                 // 1 where velocity was or is not 0
   Field<std::uint8_t> occupied;              // layers that hold pigment
-  std::vector<Field<float>> pigment;         // one layer's channels on their way
+  Reach reach;
+  std::vector<Field<float>> pigment;  // one layer's channels on their way
 };
 
 Planes make_planes(int width, int height, int channels);

@@ -1,8 +1,19 @@
 #include "core/fluid/paper/trace.h"
 
+#include <utility>
+
 #include "core/fluid/paper/departure.h"
 
 namespace pentimento::paper {
+
+namespace {
+
+/// The cell whose centre is nearest to the departure point, as (x, y).
+std::pair<int, int> nearest(const Departure& p) {
+  return {p.fx < 0.5f ? p.x0 : p.x1, p.fy < 0.5f ? p.y0 : p.y1};
+}
+
+}  // namespace
 
 void trace_row(const StepConstants& k, const CanvasState& state, int y, Columns cells,
                const TracedRow& out) {
@@ -23,6 +34,11 @@ void trace_row(const StepConstants& k, const CanvasState& state, int y, Columns 
     out.u_m_s[x] = interpolate(state.velocity_x_m_s, from);
     out.v_m_s[x] = interpolate(state.velocity_y_m_s, from);
     out.height_m[x] = traced_depth + interpolate(state.base_m, from);
+    if (d[x] >= k.dry_film_m) continue;
+    // Reads thick cells only and writes thin ones, so rows do not disturb each other.
+    const auto [from_x, from_y] = nearest(from);
+    if (state.depth_m(from_x, from_y) >= k.dry_film_m)
+      out.mobility_frac(x, y) = out.mobility_frac(from_x, from_y);
   }
 }
 

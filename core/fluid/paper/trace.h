@@ -9,6 +9,7 @@ struct TracedRow {
   float* u_m_s;
   float* v_m_s;
   float* height_m;
+  Field<float>& mobility_frac;  // in and out
 };
 
 /// Velocity and height at the point where each cell's fluid was one step ago, in row y.
@@ -16,7 +17,9 @@ struct TracedRow {
 /// Scheme: semi-Lagrangian, one backward Euler trace, bilinear; 1st order. Stable for any step.
 /// Source: R8; Stam, Stable Fluids, SIGGRAPH 1999, section 2.2, as Stuyck et al. 2016, section 5.1.
 /// Departures: bare paper that would be traced from bare paper is left alone (velocity 0, h = b),
-/// or the relief itself would be carried about and become paint.
+/// or the relief itself would be carried about and become paint. A thin cell that a thick film
+/// enters takes over its mobility: else the front of a film would not feel the gravity (R15) that
+/// drives the film, and be run over by it.
 void trace_row(const StepConstants& k, const CanvasState& state, int y, Columns cells,
                const TracedRow& out);
 

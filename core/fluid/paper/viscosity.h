@@ -4,11 +4,6 @@
 
 namespace pentimento::paper {
 
-struct Velocity {
-  const Field<float>& u_m_s;
-  const Field<float>& v_m_s;
-};
-
 /// One Jacobi sweep of the viscous term over row y.
 ///   u+ - dt nu(theta) (u+_xx + u+_yy) = u*, likewise v
 /// Scheme: implicit, 1st order in time, 2nd in space; Jacobi started at u*, as many sweeps as for
