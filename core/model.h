@@ -24,7 +24,7 @@ struct Model {
   float bed_friction = 1.0f;             // times 3 nu / d^2; `conservative` only
   float friction_viscosity_floor_m2_s = 1e-3f;  // lower bound of nu in the friction; `conservative`
   float speed_cap_m_s = 1.4007f;                // 2 sqrt(g max_medium), g = 9.81; 0 = off
-  float pigment_residue = 0.01f;                // sticks to the paper for ever (R19)
+  float pigment_residue = 4e-4f;                 // sticks to the paper for ever (R19)
   bool phi_scales_lateral = true;               // reading (a) of A7
   bool superbee = false;    // limiter of `conservative`: superbee in place of MC
   float brush_push = 0.2f;  // alpha of the stamp displacement; `conservative`

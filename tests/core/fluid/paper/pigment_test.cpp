@@ -70,9 +70,12 @@ TEST(Pigment, TheResidueOutlastsAnyFlow) {
   canvas.pour(8, 8, 24, 24, 0.003f, 0.03f);
   canvas.gravity = {0, -9.81f, 0};
   canvas.steps(100);
+  const float least = 0.99f * canvas.model.pigment_residue;  // a hundred steps of rounding
+  float lowest = 1;
   for (int y = 8; y < 24; ++y)
-    for (int x = 8; x < 24; ++x)
-      EXPECT_GE(canvas.state.channel(0, 0)(x, y), 0.0099f);  // 0.01 within a hundred roundings
+    for (int x = 8; x < 24; ++x) lowest = std::min(lowest, canvas.state.channel(0, 0)(x, y));
+  EXPECT_GE(lowest, least);
+  EXPECT_LT(lowest, 0.03f / 2);  // and most of it did leave
 }
 
 }  // namespace
