@@ -1,0 +1,339 @@
+#include "core/brush/transfer.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/brush/gather.h"
+#include "core/layers/lay_paint.h"
+#include "core/layers/lift.h"
+#include "core/layers/mix_layers.h"
+#include "core/math/approx.h"
+
+namespace pentimento {
+
+namespace {
+constexpr float kFaintest = 1e-3f;           // of the tip's value: below it the tip does not touch
+constexpr float kSmallestCells = 1.5f;       // diameter of the smallest tip a grid can show
+constexpr float kRefillDiameters = 0.1f;     // R22: distance that the refill share is of
+constexpr float kDryingPerDiameter = 5e-3f;  // R24, A21
+constexpr float kDryFrac = 1e-3f;            // of max_medium: thinner is dry canvas (A21)
+constexpr float kWeaveReach_m = 3e-4f;       // relief of a linen; look: levelling beside the film
+constexpr int kRowsPerTask = 16;
+constexpr int kCellsWorthThreads = 8192;
+
+/// 1 - (1 - frac)^lengths: a share per length, over another distance.
+float share_over(float frac, double lengths) {
+  const double kept = 1 - static_cast<double>(std::clamp(frac, 0.0f, 1.0f));
+  return static_cast<float>(1 - approx::pow(kept, lengths));
+}
+}  // namespace
+
+/// What is the same for all cells of a stamp.
+struct Transfer::Plan {
+  const Stamp* stamp = nullptr;
+  const TipLevel* level = nullptr;
+  const PaintLoad* load = nullptr;
+  const Reservoir* reservoir = nullptr;
+  TipPose pose;
+  TipExtent extent;
+  CellBox box;
+  int stride = 4;
+  float mean = 1;  // of the tip
+  float dry_m = 0;
+  std::uint32_t stroke_id = 0;
+  Lift lift;
+  MixLayers mix;
+  LayPaint lay;
+  float film_rate = 0;    // share of the reservoir's height laid where the tip's value is 1
+  float return_frac = 0;  // share of the surplus that goes back where the tip touches fully
+  float level_per_m = 0;  // contact levelling: deposit changes by this per metre above the mean
+  double mean_height_m = 0;
+  float share_scale = 1;  // keeps the total that levelling redistributes
+  float push_m = 0;
+};
+
+PaintLoad make_load(const Model& model, const BrushSettings& settings,
+                    std::span<const float> per_amount, std::span<const float> amount) {
+  PaintLoad load;
+  load.amount.assign(amount.begin(), amount.end());
+  load.height_per_amount_m = model.film_medium_m / model.film_pigment;
+  load.paint.push_back(kFilmsHeld * model.film_medium_m * settings.medium_frac);
+  for (const float channel : per_amount)
+    load.paint.push_back(kFilmsHeld * model.film_pigment * settings.pigment_frac *
+                         model.max_pigment * channel);
+  load.content_m = load.content_of(load.paint.data());
+  return load;
+}
+
+Transfer::Transfer(CanvasState& state, BrushContact& contact, PaintAccount& account,
+                   std::span<const float> amount, const Threads& threads)
+    : state_(state),
+      contact_(contact),
+      account_(account),
+      planes_(state, amount),
+      parts_(1 + static_cast<std::size_t>(state.channels)),
+      threads_(threads),
+      paint_sum_(parts_, 0.0) {}
+
+void Transfer::apply(const Stamp& stamp, const BrushInHand& hand, const Model& model,
+                     Reservoir& reservoir) {
+  if (!(hand.tip.mean() > 0) || !(stamp.travel_m >= 0)) return;
+  const CanvasGeometry& geometry = state_.geometry;
+  const float cell_m = std::sqrt(geometry.dx_m() * geometry.dy_m());
+  Plan plan;
+  plan.pose = pose_of(stamp, hand.brush, kSmallestCells * cell_m);
+  plan.extent = hand.tip.extent();
+  plan.box = box_of(plan.pose, plan.extent, geometry);
+  if (plan.box.empty()) return;
+  plan.stamp = &stamp;
+  plan.level = &hand.tip.level_for(cell_m / plan.pose.diameter_m);
+  plan.load = &hand.load;
+  plan.reservoir = &reservoir;
+  plan.stride = reservoir.stride();
+  plan.mean = hand.tip.mean();
+  plan.stroke_id = hand.stroke_id;
+  plan.dry_m = kDryFrac * model.max_medium_m;
+
+  const BrushSettings& settings = hand.settings;
+  const float pressure = stamp.pressure < 0 ? 1.0f : std::min(stamp.pressure, 1.0f);
+  const double diameters =
+      static_cast<double>(stamp.travel_m) / static_cast<double>(plan.pose.diameter_m);
+  plan.lift.share_frac = share_over(settings.pickup, diameters);
+  plan.lift.residue = model.pigment_residue;
+  if (stamp.pressure >= 0)
+    plan.lift.reach_frac = std::clamp(pressure * (0.5f + settings.stiffness), 0.0f, 1.0f);
+  plan.mix = {0.5f * pressure * share_over(settings.layer_mixing, diameters),
+              model.pigment_residue};
+  plan.lay = {model.max_medium_m, hand.stroke_id};
+  // A tip finer than the grid is drawn as wide as the grid can show, and as much thinner.
+  const float unpressed = stamp.diameter_m * (1 - hand.brush.size_pressure * (1 - pressure));
+  const float thin = std::min(1.0f, unpressed / plan.pose.diameter_m);
+  const float flow = 1 - hand.brush.flow_pressure * (1 - pressure);
+  plan.film_rate = reservoir.density_frac * flow * thin * static_cast<float>(diameters) /
+                   (plan.mean * kFilmsHeld);
+  plan.return_frac = static_cast<float>(-approx::expm1(-diameters));
+  plan.level_per_m = model.contact_levelling * (2 * reservoir.density_frac - 1) /
+                     (model.film_medium_m * settings.medium_frac + kWeaveReach_m);
+  plan.push_m = model.brush_push * stamp.travel_m;
+
+  prepare(plan.box, plan.stride);
+  for_rows(plan, &Transfer::measure_rows);
+  find_mean_height(plan);
+  for_rows(plan, &Transfer::lift_rows);
+  take_up(plan, hand, reservoir);
+  double value = 0, share = 0;
+  for (int y = 0; y < plan.box.height; ++y) {
+    value += row_[static_cast<std::size_t>(y)].value;
+    share += row_[static_cast<std::size_t>(y)].share;
+  }
+  if (!(share > 0)) return;
+  // Whole on the canvas, the tip lays its exact total; cut by the border, what its cells say.
+  const double whole = static_cast<double>(plan.pose.diameter_m) *
+                       static_cast<double>(plan.pose.diameter_m) * static_cast<double>(plan.mean) /
+                       geometry.cell_area_m2();
+  plan.share_scale = static_cast<float>((plan.box.inside ? whole : value) / share);
+  for_rows(plan, &Transfer::lay_rows);
+  settle(plan, hand, reservoir);
+}
+
+void Transfer::prepare(const CellBox& box, int stride) {
+  const std::size_t cells =
+      static_cast<std::size_t>(box.width) * static_cast<std::size_t>(box.height);
+  const std::size_t rows = static_cast<std::size_t>(box.height);
+  const auto grow = [](auto& scratch, std::size_t size) {
+    if (scratch.size() < size) scratch.resize(size);
+  };
+  grow(weight_, cells);
+  grow(share_, cells);
+  grow(touch_, cells);
+  grow(paint_, cells * static_cast<std::size_t>(stride));
+  grow(row_paint_, rows * parts_);
+  grow(row_, rows);
+  contact_.touch_rows(box.y, box.y + box.height);
+}
+
+void Transfer::for_rows(const Plan& plan, void (Transfer::*pass)(const Plan&, int, int)) {
+  const int rows = plan.box.height;
+  if (plan.box.width * rows < kCellsWorthThreads || threads_.count() == 1) {
+    (this->*pass)(plan, 0, rows);
+    return;
+  }
+  struct Job {
+    Transfer* transfer;
+    const Plan* plan;
+    void (Transfer::*pass)(const Plan&, int, int);
+  } job{this, &plan, pass};
+  // One reference is captured, so that the function object needs no memory of its own.
+  threads_.for_ranges(0, rows, kRowsPerTask, [&job](int begin, int end) {
+    (job.transfer->*job.pass)(*job.plan, begin, end);
+  });
+}
+
+/// The tip's value per cell, and what the canvas is like under it.
+void Transfer::measure_rows(const Plan& plan, int begin, int end) {
+  for (int y = begin; y < end; ++y) {
+    const int canvas_y = plan.box.y + y;
+    const TipRow tip = tip_row(plan.pose, plan.box, state_.geometry, canvas_y);
+    const std::size_t at = static_cast<std::size_t>(y) * static_cast<std::size_t>(plan.box.width);
+    const float* base = state_.base_m.row(canvas_y) + plan.box.x;
+    const float* depth = state_.depth_m.row(canvas_y) + plan.box.x;
+    const std::uint32_t* stroke = state_.stroke.row(canvas_y) + plan.box.x;
+    RowSums sums;
+    for (int x = 0; x < plan.box.width; ++x) {
+      float s = plan.level->at(tip.u(x), tip.v(x));
+      if (s < kFaintest) s = 0;
+      weight_[at + static_cast<std::size_t>(x)] = s;
+      touch_[at + static_cast<std::size_t>(x)] = std::min(1.0f, s / plan.mean);
+      const double value = static_cast<double>(s);
+      sums.value += value;
+      sums.value_height += value * static_cast<double>(base[x] + depth[x]);
+      if (stroke[x] != plan.stroke_id) {
+        sums.ahead += value;
+        if (depth[x] < plan.dry_m) sums.ahead_dry += value;
+      }
+    }
+    row_[static_cast<std::size_t>(y)] = sums;
+  }
+}
+
+void Transfer::find_mean_height(Plan& plan) const {
+  double value = 0, height = 0;
+  for (int y = 0; y < plan.box.height; ++y) {
+    value += row_[static_cast<std::size_t>(y)].value;
+    height += row_[static_cast<std::size_t>(y)].value_height;
+  }
+  plan.mean_height_m = value > 0 ? height / value : 0;
+}
+
+/// Contact levelling (A22): less on bumps, more in hollows; and the lift.
+void Transfer::lift_rows(const Plan& plan, int begin, int end) {
+  const std::size_t width = static_cast<std::size_t>(plan.box.width);
+  const float mean_height = static_cast<float>(plan.mean_height_m);
+  for (int y = begin; y < end; ++y) {
+    const int canvas_y = plan.box.y + y;
+    const std::size_t at = static_cast<std::size_t>(y) * width;
+    const float* base = state_.base_m.row(canvas_y) + plan.box.x;
+    float* depth = state_.depth_m.row(canvas_y) + plan.box.x;
+    double share = 0;
+    for (std::size_t x = 0; x < width; ++x) {
+      const float above = base[x] + depth[x] - mean_height;
+      share_[at + x] = weight_[at + x] * std::clamp(1 - plan.level_per_m * above, 0.0f, 2.0f);
+      share += static_cast<double>(share_[at + x]);
+    }
+    row_[static_cast<std::size_t>(y)].share = share;
+    lift_row(plan.lift, planes_.row(plan.box.x, canvas_y), {touch_.data() + at, width}, depth,
+             paint_.data() + at * static_cast<std::size_t>(plan.stride), plan.stride,
+             {row_paint_.data() + static_cast<std::size_t>(y) * parts_, parts_});
+  }
+}
+
+/// The lifted paint arrives in the brush, and the palette's paint with it (R22).
+void Transfer::take_up(const Plan& plan, const BrushInHand& hand, Reservoir& reservoir) {
+  add_to(plan, account_.picked_up);
+  const bool lifted =
+      std::any_of(paint_sum_.begin(), paint_sum_.end(), [](double sum) { return sum > 0; });
+  if (lifted)
+    gather_lifted({paint_, plan.stride, paint_sum_}, plan.pose, plan.box, state_.geometry, hand.tip,
+                  reservoir, gathered_);
+  const double distances = static_cast<double>(plan.stamp->travel_m) /
+                           static_cast<double>(kRefillDiameters * plan.pose.diameter_m);
+  reservoir.refill(hand.load, hand.tip, share_over(hand.settings.refill, distances));
+}
+
+/// Lays the film and the surplus, mixes the layers, marks the contact.
+void Transfer::lay_rows(const Plan& plan, int begin, int end) {
+  const std::size_t width = static_cast<std::size_t>(plan.box.width);
+  const PaintLoad& load = *plan.load;
+  for (int y = begin; y < end; ++y) {
+    const int canvas_y = plan.box.y + y;
+    const TipRow tip = tip_row(plan.pose, plan.box, state_.geometry, canvas_y);
+    const std::size_t at = static_cast<std::size_t>(y) * width;
+    double returned = 0;
+    for (std::size_t x = 0; x < width; ++x) {
+      float* paint = paint_.data() + (at + x) * static_cast<std::size_t>(plan.stride);
+      const float share = share_[at + x] * plan.share_scale;
+      if (!(share > 0)) {
+        std::fill_n(paint, plan.stride, 0.0f);
+        continue;
+      }
+      plan.reservoir->sample(tip.u(static_cast<int>(x)), tip.v(static_cast<int>(x)), paint);
+      const float content = load.content_of(paint);
+      const float surplus = std::max(0.0f, content - load.content_m);
+      const float back = plan.return_frac * share / weight_[at + x] * touch_[at + x] * surplus;
+      const float film = plan.film_rate * share * std::min(content, load.content_m);
+      const float part = content > 0 ? (film + back) / content : 0.0f;
+      for (int k = 0; k < plan.stride; ++k) paint[k] *= part;
+      returned += static_cast<double>(back);
+    }
+    row_[static_cast<std::size_t>(y)].returned = returned;
+    const LayerRow row = planes_.row(plan.box.x, canvas_y);
+    lay_paint_row(plan.lay, row, {state_.depth_m.row(canvas_y) + plan.box.x, width},
+                  state_.stroke.row(canvas_y) + plan.box.x,
+                  paint_.data() + at * static_cast<std::size_t>(plan.stride), plan.stride,
+                  {row_paint_.data() + static_cast<std::size_t>(y) * parts_, parts_});
+    mix_layers_row(plan.mix, row, {touch_.data() + at, width});
+    touch_row(plan, canvas_y, {weight_.data() + at, width});
+  }
+}
+
+/// Keeps the books, takes the surplus that was laid out of the brush, and dries the brush (R24).
+void Transfer::settle(const Plan& plan, const BrushInHand& hand, Reservoir& reservoir) {
+  add_to(plan, account_.deposited);
+  double returned = 0, ahead = 0, ahead_dry = 0;
+  for (int y = 0; y < plan.box.height; ++y) {
+    const RowSums& sums = row_[static_cast<std::size_t>(y)];
+    returned += sums.returned;
+    ahead += sums.ahead;
+    ahead_dry += sums.ahead_dry;
+  }
+  if (returned > 0) {
+    const double tip_area =
+        static_cast<double>(plan.pose.diameter_m) * static_cast<double>(plan.pose.diameter_m);
+    const double texels =
+        returned * state_.geometry.cell_area_m2() * kReservoirSide * kReservoirSide / tip_area;
+    const double surplus = reservoir.weighted_surplus(hand.load, hand.tip);
+    if (surplus > 0)
+      reservoir.drop_surplus(hand.load, hand.tip,
+                             static_cast<float>(std::min(1.0, texels / surplus)));
+  }
+  if (ahead > 0) reservoir.dry_ahead_frac = static_cast<float>(ahead_dry / ahead);
+  reservoir.density_frac =
+      std::max(0.0f, reservoir.density_frac - kDryingPerDiameter * reservoir.dry_ahead_frac *
+                                                  plan.stamp->travel_m / plan.pose.diameter_m);
+}
+
+/// The rows' sums in their order, into `paint_sum_` and, as volumes, into a flow.
+void Transfer::add_to(const Plan& plan, PaintFlow& flow) {
+  std::fill(paint_sum_.begin(), paint_sum_.end(), 0.0);
+  for (int y = 0; y < plan.box.height; ++y)
+    for (std::size_t k = 0; k < parts_; ++k)
+      paint_sum_[k] += row_paint_[static_cast<std::size_t>(y) * parts_ + k];
+  const double area = state_.geometry.cell_area_m2();
+  flow.medium_m3 += paint_sum_[0] * area;
+  for (std::size_t c = 0; c + 1 < parts_; ++c) flow.channel[c] += paint_sum_[1 + c] * area;
+}
+
+/// Footprint, velocity (R17) and push of one row. The push fades from 1.5 in the middle of the tip
+/// to 0 at its edge: e = 1.5 (1 - r^2)^2.
+void Transfer::touch_row(const Plan& plan, int y, std::span<const float> weight) {
+  const TipRow tip = tip_row(plan.pose, plan.box, state_.geometry, y);
+  const Stamp& stamp = *plan.stamp;
+  const float scale_u = 2 / plan.extent.u, scale_v = 2 / plan.extent.v;
+  for (std::size_t i = 0; i < weight.size(); ++i) {
+    const int x = plan.box.x + static_cast<int>(i);
+    if (weight[i] > 0) {
+      contact_.weight(x, y) = std::max(contact_.weight(x, y), std::min(1.0f, weight[i]));
+      contact_.velocity_x_m_s(x, y) = stamp.velocity_m_s.x;
+      contact_.velocity_y_m_s(x, y) = stamp.velocity_m_s.y;
+    }
+    const float u = tip.u(static_cast<int>(i)) * scale_u, v = tip.v(static_cast<int>(i)) * scale_v;
+    const float inside = 1 - (u * u + v * v);
+    if (inside > 0) {
+      const float push = 1.5f * inside * inside * plan.push_m;
+      contact_.push_x_m(x, y) += push * stamp.direction.x;
+      contact_.push_y_m(x, y) += push * stamp.direction.y;
+    }
+  }
+}
+
+}  // namespace pentimento

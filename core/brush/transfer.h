@@ -1,0 +1,90 @@
+#pragma once
+// One stamp: paint goes from the canvas to the brush and from the brush to the canvas (R21-R28),
+// and the fluid learns where the brush was. Order: lift, refill, lay, mix, contact. Works only on
+// the cells under the tip and allocates nothing once its scratch has grown to the largest stamp.
+// Not thread-safe; rows of a large stamp run on `threads`, sums are added in row order.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/brush/brush_settings.h"
+#include "core/brush/footprint.h"
+#include "core/brush/reservoir.h"
+#include "core/brush/stamp.h"
+#include "core/brush/tip.h"
+#include "core/canvas_state.h"
+#include "core/fluid/brush_contact.h"
+#include "core/layers/layer_row.h"
+#include "core/model.h"
+#include "core/paint_account.h"
+#include "core/threads.h"
+
+namespace pentimento {
+
+/// The brush as it is at this stamp.
+struct BrushInHand {
+  const BrushDefinition& brush;
+  const Tip& tip;
+  const BrushSettings& settings;
+  const PaintLoad& load;
+  std::uint32_t stroke_id = 0;
+};
+
+/// Reservoir height of a load, in films of one pass: with half the medium, 2 mm.
+inline constexpr float kFilmsHeld = 2;
+
+/// The load for the sliders: paint whose film is `film_medium_m` x medium high and holds
+/// `film_pigment` x pigment of the channels `per_amount` (those of amount 1 of the pigment).
+PaintLoad make_load(const Model& model, const BrushSettings& settings,
+                    std::span<const float> per_amount, std::span<const float> amount);
+
+class Transfer {
+ public:
+  /// All references outlive the transfer; `amount` as in LayerRow.
+  Transfer(CanvasState& state, BrushContact& contact, PaintAccount& account,
+           std::span<const float> amount, const Threads& threads);
+
+  void apply(const Stamp& stamp, const BrushInHand& hand, const Model& model, Reservoir& reservoir);
+
+ private:
+  struct Plan;
+  struct RowSums {
+    double value = 0;         // of the tip
+    double value_height = 0;  // times h
+    double share = 0;         // after levelling
+    double ahead = 0;         // value where the stroke has not been yet
+    double ahead_dry = 0;     // ... and the canvas is dry
+    double returned = 0;      // content of the surplus that was laid
+  };
+
+  void measure_rows(const Plan& plan, int begin, int end);
+  void lift_rows(const Plan& plan, int begin, int end);
+  void lay_rows(const Plan& plan, int begin, int end);
+  void for_rows(const Plan& plan, void (Transfer::*pass)(const Plan&, int, int));
+  void prepare(const CellBox& box, int stride);
+  void find_mean_height(Plan& plan) const;
+  void take_up(const Plan& plan, const BrushInHand& hand, Reservoir& reservoir);
+  void settle(const Plan& plan, const BrushInHand& hand, Reservoir& reservoir);
+  void add_to(const Plan& plan, PaintFlow& flow);
+  void touch_row(const Plan& plan, int y, std::span<const float> weight);
+
+  CanvasState& state_;
+  BrushContact& contact_;
+  PaintAccount& account_;
+  LayerPlanes planes_;
+  std::size_t parts_;  // height and channels
+  const Threads& threads_;
+
+  // Scratch of one stamp, over its box.
+  std::vector<float> weight_;  // value of the tip per cell
+  std::vector<float> share_;   // the same after contact levelling
+  std::vector<float> touch_;   // min(1, value / mean) per cell
+  std::vector<float> paint_;   // lifted, then laid: `stride` floats per cell
+  std::vector<float> gathered_;
+  std::vector<double> row_paint_;  // `parts_` per row
+  std::vector<double> paint_sum_;
+  std::vector<RowSums> row_;
+};
+
+}  // namespace pentimento

@@ -1,0 +1,59 @@
+#pragma once
+// The pigment of one row of cells, all layers and channels: what the kernels of this folder read
+// and write. A view; copies are shallow.
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "core/canvas_state.h"
+#include "core/optics/composite.h"
+
+namespace pentimento {
+
+inline constexpr int kMaxLayers = 8;
+
+struct LayerRow {
+  std::span<float* const> plane;  // [layer * channels + channel]
+  std::ptrdiff_t offset = 0;      // of the row's cell 0 in each of them
+  int layers = 1;
+  int channels = 0;
+  std::span<const float> amount;  // per channel: its share in the total amount (A26)
+
+  float& at(int layer, int channel, int x) const {
+    return plane[static_cast<std::size_t>(layer * channels + channel)][offset + x];
+  }
+  /// Total amount of pigment in a layer of cell x.
+  float total(int layer, int x) const {
+    float sum = 0;
+    for (int c = 0; c < channels; ++c) {
+      const float m = amount[static_cast<std::size_t>(c)];
+      if (m != 0) sum += m * at(layer, c, x);
+    }
+    return sum;
+  }
+  /// Highest layer of cell x that holds pigment; -1 if none does (A23).
+  int top(int x) const {
+    for (int layer = layers - 1; layer >= 0; --layer)
+      if (total(layer, x) > kEmptyLayerAmount) return layer;
+    return -1;
+  }
+};
+
+/// The planes of a state, to be looked at row by row. Valid while the state's planes are not
+/// replaced.
+class LayerPlanes {
+ public:
+  LayerPlanes(CanvasState& state, std::span<const float> amount);
+  /// Row y, its cell 0 being the grid's cell (x, y).
+  LayerRow row(int x, int y) const;
+
+ private:
+  std::vector<float*> plane_;
+  std::ptrdiff_t stride_ = 0;
+  int layers_ = 1;
+  int channels_ = 0;
+  std::span<const float> amount_;
+};
+
+}  // namespace pentimento

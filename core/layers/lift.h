@@ -1,0 +1,31 @@
+#pragma once
+// The brush lifts wet paint off the canvas (R22, R23).
+
+#include <span>
+
+#include "core/layers/layer_row.h"
+
+namespace pentimento {
+
+/// How a stamp lifts. `share_frac` is of the paint in a layer that the brush reaches fully.
+struct Lift {
+  float share_frac = 0;   // where the tip's weight is 1
+  float reach_frac = -1;  // how deep the bristles go, 0..1 of the film; negative: everywhere alike
+  float residue = 0;      // amount of pigment of the bottom layer that stays on the paper (R19)
+};
+
+/// R23: how far the bristles come into layer `layer` of `occupied`, the topmost first. 0..1.
+float reach_weight(float reach_frac, int layer, int occupied);
+
+/// Lifts from the cells of a row.
+///   P_k -= share w_k weight P_k,  d -= share mean(w_k) weight d
+///   lifted[x] = (height, channels) that left; sums = the same over the row, in double: exactly
+///   what the planes lost (height first)
+/// Scheme: pointwise. Stability: share, weight in [0,1] leave everything >= 0.
+/// Source: R22, R23; A20 (what the brush gains leaves the canvas, pigment and its share of medium).
+/// Departs from it: the residue of R19 is not lifted.
+/// `weight`, `depth_m`: one value per cell; `lifted`: `stride` floats per cell.
+void lift_row(const Lift& lift, const LayerRow& row, std::span<const float> weight, float* depth_m,
+              float* lifted, int stride, std::span<double> sums);
+
+}  // namespace pentimento
