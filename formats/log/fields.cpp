@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/optics/srgb.h"
@@ -19,6 +20,10 @@ int hex_digit(char c) {
   return -1;
 }
 
+std::size_t as_size(int count) {
+  return static_cast<std::size_t>(count);
+}
+
 }  // namespace
 
 std::optional<Rgb> parse_hex_color(std::string_view text) {
@@ -34,14 +39,9 @@ std::optional<Rgb> parse_hex_color(std::string_view text) {
 
 Fields::Fields(const JsonLine& line, const JsonNode& object, std::string_view prefix)
     : line_(line), object_(object), prefix_(prefix) {
-  if (object.children > static_cast<int>(kMaxMembers)) {
-    fail(fmt::format("{}{} fields in one object; at most {} are known", prefix, object.children,
-                     kMaxMembers));
-    return;
-  }
   const JsonNode* const nodes = line.nodes().data();
-  for (const JsonNode* child = &object + 1; members_ < static_cast<std::size_t>(object.children);
-       child = nodes + child->end) {
+  const std::size_t count = std::min<std::size_t>(kMaxMembers, as_size(object.children));
+  for (const JsonNode* child = &object + 1; members_ < count; child = nodes + child->end) {
     member_[members_++] = child;
   }
 }
@@ -241,6 +241,10 @@ void Fields::collect(const JsonNode& node) {
 }
 
 std::string Fields::finish() {
+  if (as_size(object_.children) > kMaxMembers) {
+    fail(fmt::format("{}{} fields in one object, where {} are known", prefix_, object_.children,
+                     asked_count_));
+  }
   for (std::size_t i = 0; i < members_ && ok(); ++i) {
     if ((used_ >> i & 1) != 0) continue;
     const std::string_view key = member_[i]->key;

@@ -1,6 +1,7 @@
 #pragma once
 // The members of one JSON object, taken out by name and checked: kind, range, missing, unknown.
-// The first problem is kept; what is taken after it is a default.
+// The first problem is kept; what is taken after it is a default. Of an object with more than 64
+// members only the first 64 are seen; finish() refuses it.
 
 #include <array>
 #include <cstdint>

@@ -2,8 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <array>
-#include <charconv>
+#include <iterator>
 
 namespace pentimento::log {
 
@@ -23,10 +22,7 @@ void append_json_string(std::string& json, std::string_view text) {
 }
 
 void append_json_number(std::string& json, double value) {
-  // The longest shortest form of a double has 24 characters.
-  std::array<char, 32> digits{};
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
-  json.append(digits.data(), end);
+  fmt::format_to(std::back_inserter(json), "{}", value);
 }
 
 }  // namespace pentimento::log

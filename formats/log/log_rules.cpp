@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/brush/builtin_brushes.h"
+#include "formats/log/event_names.h"
 #include "formats/log/model_fields.h"
 #include "formats/log/nearest_name.h"
 #include "formats/log/resolve.h"
@@ -26,20 +27,6 @@ Error unknown_name(std::string_view what, std::string_view name,
                    const std::set<std::string, std::less<>>& known) {
   const std::vector<std::string_view> names(known.begin(), known.end());
   return bad(fmt::format("{} \"{}\" is unknown{}", what, name, did_you_mean(name, names)));
-}
-
-std::string_view phase_name(TouchPhase phase) {
-  switch (phase) {
-    case TouchPhase::kDown:
-      return "down";
-    case TouchPhase::kMove:
-      return "move";
-    case TouchPhase::kUp:
-      return "up";
-    case TouchPhase::kCancel:
-      break;
-  }
-  return "cancel";
 }
 
 }  // namespace

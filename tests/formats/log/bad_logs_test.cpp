@@ -108,7 +108,7 @@ INSTANTIATE_TEST_SUITE_P(Touches, BadEvents, testing::ValuesIn(kTouches));
 constexpr BadEvent kControls[] = {
     {R"({"t":0,"type":"gravity","x":0,"y":0})", "a.jsonl:2: z is missing"},
     {R"({"t":0,"type":"gravity","x":0,"y":0,"z":1e9})",
-     "a.jsonl:2: z 1e+09 is outside -1000..1000 m/s^2"},
+     "a.jsonl:2: z 1000000000 is outside -1000..1000 m/s^2"},
     {R"({"t":0,"type":"slider","value":0})", "a.jsonl:2: name is missing"},
     {R"({"t":0,"type":"slider","name":"medium"})", "a.jsonl:2: value is missing"},
     {R"({"t":0,"type":"slider","name":"medum","value":0})",

@@ -17,11 +17,15 @@ inline const std::string kHeaderLine =
     R"({"type":"header","format":"pentimento-log","version":1,"canvas":{"width":1,"height":0.75}})"
     "\n";
 
-/// A folder of its own, removed with everything in it.
+/// A folder of its own, removed with everything in it; in memory where there is such a place, since
+/// some tests write thousands of small files.
 class TemporaryFolder {
  public:
   TemporaryFolder() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "log-test-XXXXXX").string();
+    const std::filesystem::path memory = "/dev/shm";
+    const auto parent =
+        std::filesystem::exists(memory) ? memory : std::filesystem::temp_directory_path();
+    std::string pattern = (parent / "log-test-XXXXXX").string();
     path_ = ::mkdtemp(pattern.data());
   }
   ~TemporaryFolder() { std::filesystem::remove_all(path_); }
