@@ -1,12 +1,16 @@
 #include <algorithm>
 
 #include "core/fluid/conservative/block.h"
+#include "core/fluid/conservative/crowd_limit.h"
 #include "core/fluid/conservative/layer_speed_row.h"
 #include "core/fluid/conservative/quantum.h"
 #include "core/fluid/conservative/transport.h"
 
 namespace pentimento::conservative {
 namespace {
+
+constexpr float kMostDepth =
+    1.19f;  // of max_medium: how high motion may pile paint; 1.2 with rounding
 
 // Everything one thread needs to move the paint of a block; buffers are kept between blocks.
 class PaintMover {
@@ -68,9 +72,14 @@ class PaintMover {
   void move_depth(const Block& b) {
     for (std::size_t e = 0; e < plan_.edge.size(); ++e)
       plan_.edge[e] = flow_[e] + 0.5f * push_[e];  // (k + 1/2)/n is 1/2 in the mean over layers
-    plan_remap(plan_);
     float* value = scratch_.cells(scratch_.value, plan_.step);
     load_block(b, state_.depth_m, value);
+    mirror_ends(value, b.cells(), plan_.step);
+    const CrowdLines lines{b.cells() / plan_.step, plan_.step, kMostDepth * in_.model.max_medium_m};
+    if (limit_crowding(lines, value, plan_.edge.data()))
+      for (std::size_t e = 0; e < plan_.edge.size(); ++e)
+        flow_[e] = plan_.edge[e] - 0.5f * push_[e];  // the layers give way with it
+    plan_remap(plan_);
     remap_block(plan_, depth_, scratch_);
     store_block(b, value, state_.depth_m);
   }

@@ -41,11 +41,6 @@ void velocity_row(float* __restrict mass, float* __restrict momentum, int cells)
   }
 }
 
-void mirror_ends(float* value, int cells, int step) {
-  std::copy_n(value, step, value - step);
-  std::copy_n(value + cells - step, step, value + cells);
-}
-
 }  // namespace
 
 void remap_momentum_block(const RemapPlan& plan, const RemapOptions& options,

@@ -41,12 +41,12 @@ void flux_row_superbee(const RemapPlan& plan, float rounder, const float* value,
   flux_row<limited_superbee>(plan, rounder, value, out_lo, out_hi);
 }
 
+}  // namespace
+
 void mirror_ends(float* value, int cells, int step) {
   std::copy_n(value, step, value - step);
   std::copy_n(value + cells - step, step, value + cells);
 }
-
-}  // namespace
 
 void RemapScratch::resize(int cells, int step) {
   const auto n = static_cast<std::size_t>(cells + 2 * step);

@@ -24,6 +24,9 @@ struct RemapScratch {
   float* cells(std::vector<float>& plane, int step) { return plane.data() + step; }
 };
 
+/// Fills the ghosts with copies of the end cells: no slope across the ends.
+void mirror_ends(float* value, int cells, int step);
+
 /// Moves the block's cells: reads scratch.value, leaves the result there. Ends are walls. Sums are
 /// exact and nothing is negative if values are multiples of the quantum and below 2^24 quanta.
 void remap_block(const RemapPlan& plan, const RemapOptions& options, RemapScratch& scratch);

@@ -75,19 +75,4 @@ inline bool same_bits(const Field<float>& a, const Field<float>& b) {
   return true;
 }
 
-/// An ideal fluid: no viscosity, friction, thresholds, caps; depths up to `depth_m`; one tile.
-inline Model ideal_fluid(float depth_m) {
-  Model m;
-  m.nu_min_m2_s = 0;
-  m.nu_max_m2_s = 0;
-  m.friction_viscosity_floor_m2_s = 0;
-  m.bed_friction = 0;
-  m.gravity_cutoff_frac = 0;
-  m.velocity_threshold_m_s = 0;
-  m.speed_cap_m_s = 0;
-  m.max_medium_m = depth_m;
-  m.sleep_tile_m = 1e6f;
-  return m;
-}
-
 }  // namespace pentimento::conservative

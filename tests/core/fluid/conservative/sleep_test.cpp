@@ -1,0 +1,105 @@
+#include <gtest/gtest.h>
+
+#include "tests/core/fluid/conservative/basin.h"
+
+namespace pentimento::conservative {
+namespace {
+
+// A blob of paint 40 cells wide in the middle of a canvas of 8 x 6 tiles.
+Basin blob(float depth_m, float theta_per_m) {
+  Basin b({256, 192, 0.25, 0.1875});
+  for (int y = 76; y < 116; ++y)
+    for (int x = 108; x < 148; ++x) {
+      b.state.depth_m(x, y) = depth_m;
+      b.state.channel(0, 0)(x, y) = depth_m * theta_per_m;
+    }
+  return b;
+}
+
+int steps_until_asleep(Basin& b, int most) {
+  for (int i = 0; i < most; ++i)
+    if (!b.step()) return i;
+  return most;
+}
+
+TEST(Sleep, ABareCanvasCostsOneStep) {
+  Basin b({256, 192, 0.25, 0.1875});
+  EXPECT_TRUE(b.step());
+  EXPECT_FALSE(b.step());
+}
+
+TEST(Sleep, ThickPaintOnATiltedCanvasRestsAtOnce) {
+  Basin b = blob(0.01f, 28);  // Phi = 1
+  b.gravity_m_s2 = {3, -6, 7};
+  EXPECT_LE(steps_until_asleep(b, 100), 3);
+  EXPECT_EQ(b.state.depth_m(108, 76), b.state.depth_m(147, 115));
+}
+
+TEST(Sleep, ModeratelyThickPaintRestsWithinTwoSeconds) {
+  Basin b = blob(0.006f, 13);
+  EXPECT_LE(steps_until_asleep(b, 200), 90);
+}
+
+TEST(Sleep, NothingIsAwakeAMinuteAfterTheLastTouchOnALevelCanvas) {
+  for (const float depth_m : {0.001f, 0.003f, 0.01f}) {
+    Basin b = blob(depth_m, 2);
+    EXPECT_LT(steps_until_asleep(b, 60 * 45), 60 * 45) << depth_m;
+  }
+}
+
+TEST(Sleep, ThinPaintRunsUnderTiltAndStopsWhenItThinsOut) {
+  Basin b = blob(0.002f, 2);
+  b.gravity_m_s2 = {0, -6.9f, 6.9f};
+  b.steps(45);
+  EXPECT_GT(highest(b.state.velocity_y_m_s), 1e-3f);
+  EXPECT_LT(steps_until_asleep(b, 60 * 45), 60 * 45);
+  float lowest_wet = 0;  // how far it ran down
+  for (int y = 0; y < 192; ++y)
+    if (b.state.depth_m(128, y) > 1e-5f) lowest_wet = static_cast<float>(y);
+  EXPECT_GT(lowest_wet, 116 + 5);
+}
+
+TEST(Sleep, AStampWakesOnlyWhatItTouches) {
+  Basin b = blob(0.01f, 28);
+  steps_until_asleep(b, 10);
+  b.contact.weight(16, 16) = 1;
+  b.contact.touch_rows(16, 17);
+  EXPECT_TRUE(b.step());
+  EXPECT_NEAR(b.statistic("awake_share_max"), 1.0, 0);  // the first step
+  EXPECT_TRUE(b.step());                                // found at rest
+  EXPECT_FALSE(b.step());
+}
+
+TEST(Sleep, GravityWakesPaintThatFeelsIt) {
+  Basin thin = blob(0.002f, 2);
+  steps_until_asleep(thin, 2000);
+  thin.gravity_m_s2.x += 0.04f;  // a trembling hand
+  EXPECT_FALSE(thin.step());
+  thin.gravity_m_s2.x += 4;
+  EXPECT_TRUE(thin.step());
+  Basin stiff = blob(0.01f, 28);
+  steps_until_asleep(stiff, 10);
+  stiff.gravity_m_s2.x += 4;
+  EXPECT_FALSE(stiff.step());
+}
+
+TEST(Sleep, IsPartOfTheStateSoAResumedCanvasGoesOnAlike) {
+  Basin a = blob(0.002f, 2);
+  a.gravity_m_s2 = {0, -6.9f, 6.9f};
+  a.steps(40);
+  Basin b({256, 192, 0.25, 0.1875});
+  b.gravity_m_s2 = a.gravity_m_s2;
+  b.state.depth_m = a.state.depth_m.clone();
+  b.state.channel(0, 0) = a.state.channel(0, 0).clone();
+  b.state.velocity_x_m_s = a.state.velocity_x_m_s.clone();
+  b.state.velocity_y_m_s = a.state.velocity_y_m_s.clone();
+  b.state.sleep = a.state.sleep;
+  b.state.step = a.state.step;
+  a.steps(40);
+  b.steps(40);
+  EXPECT_TRUE(same_bits(a.state.depth_m, b.state.depth_m));
+  EXPECT_TRUE(same_bits(a.state.velocity_y_m_s, b.state.velocity_y_m_s));
+}
+
+}  // namespace
+}  // namespace pentimento::conservative
