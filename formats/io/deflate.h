@@ -1,0 +1,30 @@
+#pragma once
+// Deflate (RFC 1951) for pieces that several threads compress at once: ISA-L at its level 1 where
+// it was there when the programme was built, else zlib. A pure function of the bytes given.
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace pentimento {
+
+/// Raw deflate of `bytes`, appended to `out`. `last` = false ends on a byte boundary with an empty
+/// stored block, so that pieces can be joined; `last` = true ends the stream.
+void deflate_piece(std::span<const std::uint8_t> bytes, bool last, int level,
+                   std::vector<std::uint8_t>& out);
+
+/// A whole zlib stream (RFC 1950) of `bytes`.
+std::vector<std::uint8_t> zlib_stream(std::span<const std::uint8_t> bytes, int level);
+
+/// Adler-32 of `bytes`; and of two joined pieces, the second `second_bytes` long.
+std::uint32_t adler32_of(std::span<const std::uint8_t> bytes);
+std::uint32_t adler32_joined(std::uint32_t first, std::uint32_t second, std::size_t second_bytes);
+
+/// CRC-32 of PNG and gzip, continued from `before` (0 at the start).
+std::uint32_t crc32_of(std::uint32_t before, std::span<const std::uint8_t> bytes);
+
+/// "ISA-L" or "zlib", for reports.
+std::string deflate_library();
+
+}  // namespace pentimento

@@ -1,0 +1,28 @@
+#pragma once
+// What a file of ours (or another program's) says about itself: PNG text chunks, EXR string
+// attributes, HDF5 attributes. Reads headers only, never pixels.
+
+#include <string>
+
+#include "core/result.h"
+#include "formats/io/picture_file.h"
+
+namespace pentimento {
+
+struct FileDescription {
+  std::string format;  // "png", "exr", "hdf5"
+  int width = 0;       // pixels, or cells of a state dump
+  int height = 0;
+  int bits = 0;              // per sample; 0 for a state dump
+  double dpi = 0;            // 0 = not said
+  std::string samples;       // "RGB 8 bit", "half: B G R", "2 layers x 5 channels"
+  Provenance provenance;     // in the file's order
+};
+
+/// Errors: kIo, kBadInput (another kind of file, or a broken one).
+Result<FileDescription> describe_file(const std::string& path);
+
+/// The value of `key`, or empty.
+std::string provenance_value(const Provenance& provenance, const std::string& key);
+
+}  // namespace pentimento

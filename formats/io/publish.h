@@ -1,0 +1,16 @@
+#pragma once
+// Small files published in one go.
+
+#include <string>
+#include <string_view>
+
+#include "core/result.h"
+#include "formats/io/picture_file.h"
+
+namespace pentimento {
+
+/// `bytes` become the file `path`, whole or not at all (output_file.h). Errors: kIo.
+Result<Published> publish_bytes(const std::string& path, std::string_view bytes,
+                                bool no_clobber = false);
+
+}  // namespace pentimento
