@@ -1,0 +1,53 @@
+#include <ImfChannelList.h>
+#include <ImfHeader.h>
+#include <ImfInputFile.h>
+#include <ImfStandardAttributes.h>
+#include <ImfStringAttribute.h>
+
+#include <exception>
+#include <string_view>
+
+#include "formats/io/describe.h"
+
+namespace pentimento {
+
+namespace {
+
+constexpr std::string_view kEscape = "pentimento.";  // exr_writer.cpp: keys that OpenEXR has itself
+
+FileDescription describe(const std::string& path) {
+  const Imf::InputFile file(path.c_str(), 0);
+  const Imf::Header& header = file.header();
+  FileDescription out;
+  out.format = "exr";
+  out.width = header.dataWindow().max.x - header.dataWindow().min.x + 1;
+  out.height = header.dataWindow().max.y - header.dataWindow().min.y + 1;
+  out.bits = 16;
+  std::string names;
+  for (auto it = header.channels().begin(); it != header.channels().end(); ++it) {
+    names += std::string(" ") + it.name();
+    if (it.channel().type != Imf::HALF) out.bits = 32;
+  }
+  out.samples = (out.bits == 16 ? "half:" : "float:") + names;
+  if (Imf::hasXDensity(header)) out.dpi = static_cast<double>(Imf::xDensity(header));
+  for (auto it = header.begin(); it != header.end(); ++it) {
+    const auto* text = dynamic_cast<const Imf::StringAttribute*>(&it.attribute());
+    if (text == nullptr) continue;
+    std::string_view key = it.name();
+    if (key.starts_with(kEscape)) key.remove_prefix(kEscape.size());
+    out.provenance.emplace_back(std::string(key), text->value());
+  }
+  return out;
+}
+
+}  // namespace
+
+Result<FileDescription> describe_exr(const std::string& path) {
+  try {
+    return describe(path);
+  } catch (const std::exception& error) {
+    return Error{ErrorCode::kBadInput, path + ": " + error.what()};
+  }
+}
+
+}  // namespace pentimento

@@ -1,0 +1,209 @@
+#include "formats/exr/exr_writer.h"
+
+#include <ImfChannelList.h>
+#include <ImfChromaticities.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfInputFile.h>
+#include <ImfOutputFile.h>
+#include <ImfStandardAttributes.h>
+#include <ImfStringAttribute.h>
+#include <ImfThreading.h>
+#include <fmt/format.h>
+#include <half.h>
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+
+#include "core/threads.h"
+#include "formats/exr/stream.h"
+#include "formats/io/output_file.h"
+#include "formats/io/utf8.h"
+
+namespace pentimento {
+
+namespace {
+
+constexpr int kRowsPerCheck = 64;
+constexpr float kLargestHalf = 65504.0f;
+
+/// Rows of all channels as they are stored: [channel][y][x], half or float.
+class StoredRows {
+ public:
+  StoredRows(int channels, int width, bool full_float)
+      : channels_(channels), width_(width), sample_(full_float ? 4 : 2) {}
+
+  void resize(int rows) {
+    rows_ = rows;
+    bytes_.resize(static_cast<std::size_t>(channels_) * static_cast<std::size_t>(rows) * pitch());
+  }
+  std::size_t pitch() const { return static_cast<std::size_t>(width_ * sample_); }
+  char* row(int channel, int y) {
+    return bytes_.data() + (static_cast<std::size_t>(channel) * static_cast<std::size_t>(rows_) +
+                            static_cast<std::size_t>(y)) *
+                               pitch();
+  }
+  /// Describes the rows, the first of them at `y0` of the picture.
+  Imf::FrameBuffer frame(const std::vector<std::string>& names, int y0) {
+    Imf::FrameBuffer buffer;
+    for (int c = 0; c < channels_; ++c) {
+      // OpenEXR addresses from row 0 of the picture, which may lie before our memory.
+      char* origin =
+          row(c, 0) - static_cast<std::ptrdiff_t>(y0) * static_cast<std::ptrdiff_t>(pitch());
+      buffer.insert(names[static_cast<std::size_t>(c)],
+                    Imf::Slice(sample_ == 4 ? Imf::FLOAT : Imf::HALF, origin,
+                               static_cast<std::size_t>(sample_), pitch()));
+    }
+    return buffer;
+  }
+  /// Row by row, channel by channel: the same whatever the strips' heights.
+  void hash_into(Sha256& hash) {
+    for (int y = 0; y < rows_; ++y)
+      for (int c = 0; c < channels_; ++c) hash.update(row(c, y), pitch());
+  }
+
+ private:
+  int channels_, width_, sample_;
+  int rows_ = 0;
+  std::vector<char> bytes_;
+};
+
+/// False if a value is not a number. Values beyond the range of half become its largest.
+bool store_row(const float* in, int width, bool full_float, char* out) {
+  bool numbers = true;
+  auto* floats = reinterpret_cast<float*>(out);
+  auto* halves = reinterpret_cast<half*>(out);
+  for (int x = 0; x < width; ++x) {
+    numbers = numbers && !std::isnan(in[x]);
+    if (full_float)
+      floats[x] = in[x];
+    else
+      halves[x] = half(std::clamp(in[x], -kLargestHalf, kLargestHalf));
+  }
+  return numbers;
+}
+
+Imf::Header make_header(const ExrOptions& options) {
+  Imf::Header header(options.width, options.height);
+  header.compression() = Imf::PIZ_COMPRESSION;
+  for (const std::string& name : options.channels)
+    header.channels().insert(name, Imf::Channel(options.full_float ? Imf::FLOAT : Imf::HALF));
+  Imf::addChromaticities(header, Imf::Chromaticities());  // the default is Rec. 709 with D65
+  if (options.dpi > 0) Imf::addXDensity(header, static_cast<float>(options.dpi));
+  for (const auto& [key, value] : options.provenance) {
+    // A key that names one of OpenEXR's own attributes must not change it.
+    const std::string name = header.find(key) == header.end() ? key : "pentimento." + key;
+    header.insert(name, Imf::StringAttribute(valid_utf8(value)));
+  }
+  return header;
+}
+
+class ExrFile final : public PictureFile {
+ public:
+  ExrFile(std::string path, std::unique_ptr<OutputFile> file, const ExrOptions& options)
+      : path_(std::move(path)),
+        file_(std::move(file)),
+        stream_(*file_, path_),
+        names_(options.channels),
+        width_(options.width),
+        height_(options.height),
+        full_float_(options.full_float),
+        threads_(options.threads),
+        output_(std::make_unique<Imf::OutputFile>(stream_, make_header(options),
+                                                  threads_.count() > 1 ? threads_.count() : 0)),
+        stored_(static_cast<int>(names_.size()), width_, full_float_) {}
+
+  Result<void> write(const PictureStrip& strip) override;
+  Result<Published> finish() override;
+
+ private:
+  Result<void> check(const std::string& temporary) const;
+
+  std::string path_;
+  std::unique_ptr<OutputFile> file_;
+  exr::FileStream stream_;
+  std::vector<std::string> names_;
+  int width_, height_;
+  bool full_float_;
+  Threads threads_;
+  std::unique_ptr<Imf::OutputFile> output_;
+  StoredRows stored_;
+  Sha256 values_;  // of all that was handed over, as stored
+  int rows_ = 0;
+};
+
+Result<void> ExrFile::write(const PictureStrip& strip) {
+  PENTIMENTO_CHECK(strip.y0 == rows_ && strip.plane.size() == names_.size());
+  PENTIMENTO_CHECK(strip.y0 + strip.rows <= height_);
+  const int channels = static_cast<int>(names_.size());
+  stored_.resize(strip.rows);
+  std::vector<std::uint8_t> bad(static_cast<std::size_t>(strip.rows), 0);
+  threads_.for_rows(strip.rows, [&](int y) {
+    for (int c = 0; c < channels; ++c)
+      if (!store_row(strip.plane[static_cast<std::size_t>(c)].row(y), width_, full_float_,
+                     stored_.row(c, y)))
+        bad[static_cast<std::size_t>(y)] = 1;
+  });
+  const auto first_bad = std::find(bad.begin(), bad.end(), 1);
+  if (first_bad != bad.end())
+    return Error{ErrorCode::kNonFinite,
+                 fmt::format("{}: the picture has a value that is not a number in row {}", path_,
+                             strip.y0 + (first_bad - bad.begin()))};
+  stored_.hash_into(values_);
+  rows_ += strip.rows;
+  try {
+    output_->setFrameBuffer(stored_.frame(names_, strip.y0));
+    output_->writePixels(strip.rows);
+  } catch (const std::exception& error) {
+    return Error{ErrorCode::kIo, path_ + ": " + error.what()};
+  }
+  return file_->status();
+}
+
+/// Decodes the whole file and compares with what was handed over.
+Result<void> ExrFile::check(const std::string& temporary) const {
+  Sha256 decoded;
+  try {
+    Imf::InputFile input(temporary.c_str(), threads_.count() > 1 ? threads_.count() : 0);
+    StoredRows rows(static_cast<int>(names_.size()), width_, full_float_);
+    for (int y = 0; y < height_; y += kRowsPerCheck) {
+      const int last = std::min(y + kRowsPerCheck, height_) - 1;
+      rows.resize(last - y + 1);
+      input.setFrameBuffer(rows.frame(names_, y));
+      input.readPixels(y, last);
+      rows.hash_into(decoded);
+    }
+  } catch (const std::exception& error) {
+    return Error{ErrorCode::kIo, path_ + ": reading back: " + error.what()};
+  }
+  if (decoded.hex() != values_.hex())
+    return Error{ErrorCode::kIo, path_ + ": what was read back differs from what was written"};
+  return {};
+}
+
+Result<Published> ExrFile::finish() {
+  PENTIMENTO_CHECK(rows_ == height_);
+  output_.reset();  // writes the table of offsets
+  return file_->publish([this](const std::string& temporary) { return check(temporary); });
+}
+
+}  // namespace
+
+Result<std::unique_ptr<PictureFile>> create_exr(const std::string& path,
+                                                const ExrOptions& options) {
+  PENTIMENTO_CHECK(options.width > 0 && options.height > 0 && !options.channels.empty());
+  Result<std::unique_ptr<OutputFile>> file = OutputFile::create(path, options.no_clobber);
+  if (!file) return file.error();
+  if ((*file)->is_stream())
+    return Error{ErrorCode::kUsage, path + ": an EXR cannot be written to a pipe or a device"};
+  const int threads = Threads(options.threads).count();
+  if (threads > Imf::globalThreadCount()) Imf::setGlobalThreadCount(threads);
+  try {
+    return std::unique_ptr<PictureFile>(std::make_unique<ExrFile>(path, std::move(*file), options));
+  } catch (const std::exception& error) {
+    return Error{ErrorCode::kIo, path + ": " + error.what()};
+  }
+}
+
+}  // namespace pentimento

@@ -1,0 +1,20 @@
+#pragma once
+// One decoder per kind of picture file; read_image() chooses. Internal to formats.
+
+#include <string>
+
+#include "core/result.h"
+#include "formats/image/read_image.h"
+
+namespace pentimento::image {
+
+Result<Image> decode_png(const std::string& path, const ImageReadOptions& options);
+Result<Image> decode_exr(const std::string& path, const ImageReadOptions& options);
+/// Radiance HDR, JPEG and TIFF, through the module.
+Result<Image> decode_other(const std::string& path, const ImageReadOptions& options);
+
+/// Error kLimit if a picture of this size is not to be read, kBadInput if it is no size at all.
+Result<void> check_size(const std::string& path, std::int64_t width, std::int64_t height,
+                        const ImageLimits& limits);
+
+}  // namespace pentimento::image

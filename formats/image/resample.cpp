@@ -1,0 +1,165 @@
+#include "formats/image/resample.h"
+
+#include <vector>
+
+#include "core/check.h"
+
+namespace pentimento {
+
+namespace {
+
+/// How one target pixel is made along one axis: source indices and their weights, which sum to 1.
+struct Taps {
+  std::vector<int> index;
+  std::vector<float> weight;
+};
+using Axis = std::vector<Taps>;
+
+int floor_of(double v) {
+  const int whole = static_cast<int>(v);
+  return v < whole ? whole - 1 : whole;
+}
+int clamped(int i, int n) {
+  return i < 0 ? 0 : (i >= n ? n - 1 : i);
+}
+int wrapped(int i, int n) {
+  const int r = i % n;
+  return r < 0 ? r + n : r;
+}
+
+/// The pixels that [begin, end) covers, each weighted with the length covered. Indices may lie
+/// outside the source: the caller clamps or wraps.
+Taps cover(double begin, double end) {
+  Taps taps;
+  const double length = end - begin;
+  for (int i = floor_of(begin); i < end; ++i) {
+    const double from = begin > i ? begin : i;
+    const double to = end < i + 1 ? end : i + 1;
+    if (to <= from) continue;
+    taps.index.push_back(i);
+    taps.weight.push_back(static_cast<float>((to - from) / length));
+  }
+  return taps;
+}
+
+Taps between(double position) {
+  const double at = position - 0.5;
+  const int i = floor_of(at);
+  const float f = static_cast<float>(at - i);
+  return {{i, i + 1}, {1 - f, f}};
+}
+
+/// Keys, Cubic convolution interpolation, IEEE ASSP 29 (1981), a = -1/2: third order.
+Taps cubic(double position) {
+  const double at = position - 0.5;
+  const int i = floor_of(at);
+  const double f = at - i;
+  const double w0 = ((-0.5 * f + 1.0) * f - 0.5) * f;
+  const double w1 = (1.5 * f - 2.5) * f * f + 1.0;
+  const double w2 = ((-1.5 * f + 2.0) * f + 0.5) * f;
+  const double w3 = (0.5 * f - 0.5) * f * f;
+  return {{i - 1, i, i + 1, i + 2},
+          {static_cast<float>(w0), static_cast<float>(w1), static_cast<float>(w2),
+           static_cast<float>(w3)}};
+}
+
+enum class Kind { kArea, kLinear, kCubic };
+
+/// Along an axis on which `per_target` source pixels make one target pixel.
+Axis make_axis(Kind kind, int target, double per_target) {
+  Axis axis;
+  for (int i = 0; i < target; ++i) {
+    const double centre = (i + 0.5) * per_target;
+    axis.push_back(kind == Kind::kArea     ? cover(i * per_target, (i + 1) * per_target)
+                   : kind == Kind::kLinear ? between(centre)
+                                           : cubic(centre));
+  }
+  return axis;
+}
+
+void clamp_axis(Axis& axis, int source) {
+  for (Taps& taps : axis)
+    for (int& i : taps.index) i = clamped(i, source);
+}
+void wrap_axis(Axis& axis, int source) {
+  for (Taps& taps : axis)
+    for (int& i : taps.index) i = wrapped(i, source);
+}
+
+/// Rows first, then columns; taps in order.
+Field<float> apply(FieldView<const float> source, const Axis& across, const Axis& down) {
+  const int width = static_cast<int>(across.size());
+  const int height = static_cast<int>(down.size());
+  Field<float> narrow(width, source.height());
+  for (int y = 0; y < source.height(); ++y) {
+    const float* in = source.row(y);
+    for (int x = 0; x < width; ++x) {
+      const Taps& taps = across[static_cast<std::size_t>(x)];
+      float sum = 0;
+      for (std::size_t k = 0; k < taps.index.size(); ++k) sum += taps.weight[k] * in[taps.index[k]];
+      narrow(x, y) = sum;
+    }
+  }
+  Field<float> out(width, height);
+  for (int y = 0; y < height; ++y) {
+    const Taps& taps = down[static_cast<std::size_t>(y)];
+    float* to = out.row(y);
+    for (std::size_t k = 0; k < taps.index.size(); ++k) {
+      const float* in = narrow.row(taps.index[k]);
+      const float weight = taps.weight[k];
+      for (int x = 0; x < width; ++x) to[x] += weight * in[x];
+    }
+  }
+  return out;
+}
+
+Axis fitted_axis(Kind kind, int source, int target) {
+  Axis axis = make_axis(kind, target, static_cast<double>(source) / target);
+  clamp_axis(axis, source);
+  return axis;
+}
+
+Field<float> resample(FieldView<const float> source, int width, int height, Kind kind) {
+  PENTIMENTO_CHECK(!source.empty() && width > 0 && height > 0);
+  return apply(source, fitted_axis(kind, source.width(), width),
+               fitted_axis(kind, source.height(), height));
+}
+
+Axis tiled_axis(int tile, int cells, double cells_per_tile) {
+  const double per_cell = tile / cells_per_tile;
+  Axis axis = make_axis(per_cell > 1 ? Kind::kArea : Kind::kLinear, cells, per_cell);
+  wrap_axis(axis, tile);
+  return axis;
+}
+
+}  // namespace
+
+Field<float> resample_area(FieldView<const float> source, int width, int height) {
+  return resample(source, width, height, Kind::kArea);
+}
+
+Field<float> resample_bilinear(FieldView<const float> source, int width, int height) {
+  return resample(source, width, height, Kind::kLinear);
+}
+
+Field<float> resample_bicubic(FieldView<const float> source, int width, int height) {
+  return resample(source, width, height, Kind::kCubic);
+}
+
+Field<float> resample_to(FieldView<const float> source, int width, int height) {
+  PENTIMENTO_CHECK(!source.empty() && width > 0 && height > 0);
+  const Kind across = width < source.width() ? Kind::kArea : Kind::kLinear;
+  const Kind down = height < source.height() ? Kind::kArea : Kind::kLinear;
+  return apply(source, fitted_axis(across, source.width(), width),
+               fitted_axis(down, source.height(), height));
+}
+
+Field<float> sample_tiled(FieldView<const float> tile, int width, int height,
+                          double cells_per_tile_x, double cells_per_tile_y) {
+  PENTIMENTO_CHECK(!tile.empty() && width > 0 && height > 0);
+  PENTIMENTO_CHECK(cells_per_tile_x > 0 && cells_per_tile_y > 0);
+  return apply(tile, tiled_axis(tile.width(), width, cells_per_tile_x),
+               tiled_axis(tile.height(), height, cells_per_tile_y));
+}
+
+}  // namespace pentimento

@@ -1,0 +1,192 @@
+#include "formats/png/png_writer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "core/threads.h"
+#include "formats/image/srgb.h"
+#include "formats/io/deflate.h"
+#include "formats/io/output_file.h"
+#include "formats/png/chunks.h"
+#include "formats/png/filter.h"
+
+namespace pentimento {
+
+namespace {
+
+using png::Bytes;
+
+constexpr int kChannels = 3;
+constexpr int kLargestSide = 1'000'000;  // libpng, and so most programs, read no more
+// A block of rows is deflated alone, so its size decides the bytes: it must not depend on the
+// number of threads or on how the strips come.
+constexpr std::size_t kBlockBytes = std::size_t{1} << 20;
+constexpr int kDeflateLevel = 1;
+
+/// One block: its rows filtered and deflated.
+struct Block {
+  Bytes deflated;
+  std::uint32_t adler = 1;
+  std::size_t bytes = 0;  // before deflating
+};
+
+class PngFile final : public PictureFile {
+ public:
+  PngFile(std::string path, std::unique_ptr<OutputFile> file, const PngOptions& options)
+      : path_(std::move(path)),
+        file_(std::move(file)),
+        width_(options.width),
+        height_(options.height),
+        sample_bytes_(options.bit_depth / 8),
+        row_bytes_(static_cast<std::size_t>(options.width) * kChannels *
+                   static_cast<std::size_t>(sample_bytes_)),
+        rows_per_block_(std::max(1, static_cast<int>(kBlockBytes / row_bytes_))),
+        encoder_(options.bit_depth == 8 ? 255 : 65535),
+        threads_(options.threads),
+        pending_(row_bytes_, 0) {}
+
+  Result<void> begin(const PngOptions& options);
+  Result<void> write(const PictureStrip& strip) override;
+  Result<Published> finish() override;
+
+ private:
+  bool encode_row(const PictureStrip& strip, int y, std::uint8_t* out) const;
+  Block deflate_rows(int begin, int end, bool last) const;
+  void write_block(Block& block, bool last);
+  void deflate_whole_blocks();
+  const std::uint8_t* pending_row(int y) const {
+    return pending_.data() + static_cast<std::size_t>(y + 1) * row_bytes_;
+  }
+
+  std::string path_;
+  std::unique_ptr<OutputFile> file_;
+  int width_, height_;
+  int sample_bytes_;
+  std::size_t row_bytes_;
+  int rows_per_block_;
+  SrgbEncoder encoder_;
+  Threads threads_;
+  Bytes pending_;  // the row before (zeros at the start), then the rows not yet deflated
+  int pending_rows_ = 0;
+  int rows_ = 0;  // taken so far
+  std::uint32_t adler_ = 1;
+  bool first_block_ = true;
+};
+
+Result<void> PngFile::begin(const PngOptions& options) {
+  const Result<Bytes> head = png::file_head(options.width, options.height, options.bit_depth,
+                                            options.dpi, options.provenance);
+  if (!head) return head.error();
+  file_->write(head->data(), head->size());
+  return file_->status();
+}
+
+/// False if a value is not a number.
+bool PngFile::encode_row(const PictureStrip& strip, int y, std::uint8_t* out) const {
+  bool numbers = true;
+  for (int c = 0; c < kChannels; ++c) {
+    const float* in = strip.plane[static_cast<std::size_t>(c)].row(y);
+    std::uint8_t* to = out + c * sample_bytes_;
+    for (int x = 0; x < width_; ++x, to += kChannels * sample_bytes_) {
+      numbers = numbers && !std::isnan(in[x]);
+      const int code = encoder_.encode(in[x]);
+      if (sample_bytes_ == 2) *to = static_cast<std::uint8_t>(code >> 8);
+      to[sample_bytes_ - 1] = static_cast<std::uint8_t>(code);
+    }
+  }
+  return numbers;
+}
+
+Result<void> PngFile::write(const PictureStrip& strip) {
+  PENTIMENTO_CHECK(strip.y0 == rows_ && strip.plane.size() >= kChannels);
+  PENTIMENTO_CHECK(strip.y0 + strip.rows <= height_ && strip.plane[0].width() == width_);
+  const int before = pending_rows_;
+  pending_rows_ += strip.rows;
+  rows_ += strip.rows;
+  pending_.resize(static_cast<std::size_t>(pending_rows_ + 1) * row_bytes_);
+  std::vector<std::uint8_t> bad(static_cast<std::size_t>(strip.rows), 0);
+  threads_.for_rows(strip.rows, [&](int y) {
+    std::uint8_t* out = pending_.data() + static_cast<std::size_t>(before + y + 1) * row_bytes_;
+    bad[static_cast<std::size_t>(y)] = encode_row(strip, y, out) ? 0 : 1;
+  });
+  const auto first_bad = std::find(bad.begin(), bad.end(), 1);
+  if (first_bad != bad.end())
+    return Error{ErrorCode::kNonFinite,
+                 fmt::format("{}: the picture has a value that is not a number in row {}", path_,
+                             strip.y0 + (first_bad - bad.begin()))};
+  deflate_whole_blocks();
+  return file_->status();
+}
+
+Block PngFile::deflate_rows(int begin, int end, bool last) const {
+  Bytes filtered(static_cast<std::size_t>(end - begin) * (row_bytes_ + 1));
+  Bytes scratch(4 * row_bytes_);
+  for (int y = begin; y < end; ++y)
+    png::filter_row({pending_row(y), row_bytes_}, {pending_row(y - 1), row_bytes_},
+                    kChannels * sample_bytes_, scratch,
+                    filtered.data() + static_cast<std::size_t>(y - begin) * (row_bytes_ + 1));
+  Block block;
+  block.bytes = filtered.size();
+  block.adler = adler32_of(filtered);
+  deflate_piece(filtered, last, kDeflateLevel, block.deflated);
+  return block;
+}
+
+void PngFile::write_block(Block& block, bool last) {
+  Bytes data;
+  data.reserve(block.deflated.size() + 6);
+  if (first_block_) data.insert(data.end(), {0x78, 0x01});  // zlib: deflate, 32 KiB, fastest
+  first_block_ = false;
+  data.insert(data.end(), block.deflated.begin(), block.deflated.end());
+  adler_ = adler32_joined(adler_, block.adler, block.bytes);
+  for (int shift = 24; last && shift >= 0; shift -= 8)
+    data.push_back(static_cast<std::uint8_t>(adler_ >> shift));
+  const Bytes whole = png::chunk("IDAT", data);
+  file_->write(whole.data(), whole.size());
+}
+
+void PngFile::deflate_whole_blocks() {
+  const int count = pending_rows_ / rows_per_block_;
+  if (count == 0) return;
+  std::vector<Block> blocks(static_cast<std::size_t>(count));
+  threads_.for_ranges(0, count, 1, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i)
+      blocks[static_cast<std::size_t>(i)] =
+          deflate_rows(i * rows_per_block_, (i + 1) * rows_per_block_, false);
+  });
+  for (Block& block : blocks) write_block(block, false);
+  // Keep the last deflated row: the next one is filtered against it.
+  const std::size_t done = static_cast<std::size_t>(count * rows_per_block_) * row_bytes_;
+  pending_.erase(pending_.begin(), pending_.begin() + static_cast<std::ptrdiff_t>(done));
+  pending_rows_ -= count * rows_per_block_;
+}
+
+Result<Published> PngFile::finish() {
+  PENTIMENTO_CHECK(rows_ == height_);
+  Block rest = deflate_rows(0, pending_rows_, true);
+  write_block(rest, true);
+  const Bytes end = png::chunk("IEND", {});
+  file_->write(end.data(), end.size());
+  return file_->publish();
+}
+
+}  // namespace
+
+Result<std::unique_ptr<PictureFile>> create_png(const std::string& path,
+                                                const PngOptions& options) {
+  PENTIMENTO_CHECK(options.width > 0 && options.height > 0);
+  PENTIMENTO_CHECK(options.bit_depth == 8 || options.bit_depth == 16);
+  if (options.width > kLargestSide || options.height > kLargestSide)
+    return Error{ErrorCode::kLimit, fmt::format("{}: {} x {} pixels, a PNG side ends at {}", path,
+                                                options.width, options.height, kLargestSide)};
+  Result<std::unique_ptr<OutputFile>> file = OutputFile::create(path, options.no_clobber);
+  if (!file) return file.error();
+  auto png_file = std::make_unique<PngFile>(path, std::move(*file), options);
+  if (const Result<void> begun = png_file->begin(options); !begun) return begun.error();
+  return std::unique_ptr<PictureFile>(std::move(png_file));
+}
+
+}  // namespace pentimento
