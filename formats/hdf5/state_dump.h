@@ -23,6 +23,9 @@ struct StateDump {
   double time_s = 0;
   std::string log_sha256;
   std::string state_sha256;  // reader: as stored; writer: computed
+  /// Band centres of the palette; empty: the bands are red, green and blue.
+  std::vector<double> wavelength_nm;
+  Provenance provenance;  // reader only; the writer takes DumpOptions'
 };
 
 struct DumpOptions {
@@ -30,7 +33,12 @@ struct DumpOptions {
   int deflate_level = 1;
   Provenance provenance;
   bool no_clobber = false;
+  bool xdmf = false;  // write PATH.xdmf beside it, for ParaView
 };
+
+/// How a dump names itself, and the newest version known here.
+inline constexpr const char* kStateFormat = "pentimento-state";
+inline constexpr int kStateVersion = 1;
 
 /// SHA-256 (hex) of the state's values, as docs/state-format.md defines it: the same for any
 /// number of threads, chunking and file.

@@ -1,0 +1,54 @@
+#include <fmt/format.h>
+#include <hdf5.h>
+
+#include "formats/hdf5/handle.h"
+#include "formats/hdf5/read_small.h"
+#include "formats/hdf5/state_dump.h"
+#include "formats/io/describe.h"
+
+namespace pentimento {
+
+namespace {
+
+std::string number_text(double value) {
+  return fmt::format("{}", value);
+}
+
+/// The root's attributes, then those of /provenance that it does not have.
+Provenance all_notes(hid_t file, hid_t root) {
+  Provenance notes = hdf5::text_attributes(root);
+  for (const char* name : {"step", "format_version"})
+    if (const auto value = hdf5::whole_attribute(root, name))
+      notes.emplace_back(name, std::to_string(*value));
+  for (const char* name : {"canvas_width_m", "canvas_height_m", "time_s", "steps_per_second"})
+    if (const auto value = hdf5::number_attribute(root, name))
+      notes.emplace_back(name, number_text(*value));
+  if (H5Lexists(file, "/provenance", H5P_DEFAULT) <= 0) return notes;
+  const hdf5::Handle group(H5Gopen2(file, "/provenance", H5P_DEFAULT), H5Gclose);
+  for (const auto& [key, value] : hdf5::text_attributes(group.id()))
+    if (provenance_value(notes, key).empty()) notes.emplace_back(key, value);
+  return notes;
+}
+
+}  // namespace
+
+Result<FileDescription> describe_state(const std::string& path) {
+  const hdf5::Silence silence;
+  const hdf5::Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+  if (!file.ok()) return Error{ErrorCode::kBadInput, path + ": a damaged or cut short HDF5 file"};
+  const hdf5::Handle root(H5Gopen2(file.id(), "/", H5P_DEFAULT), H5Gclose);
+  if (hdf5::text_attribute(root.id(), "format") != kStateFormat)
+    return Error{ErrorCode::kBadInput, path + ": an HDF5 file, but not a state dump"};
+  const auto shape = hdf5::dataset_shape(file.id(), "/layers/pigment");
+  if (!shape || shape->size() != 4)
+    return Error{ErrorCode::kBadInput, path + ": /layers/pigment is missing or malformed"};
+  FileDescription out;
+  out.format = "hdf5";
+  out.height = static_cast<int>((*shape)[2]);
+  out.width = static_cast<int>((*shape)[3]);
+  out.samples = fmt::format("{} layers x {} channels", (*shape)[0], (*shape)[1]);
+  out.provenance = all_notes(file.id(), root.id());
+  return out;
+}
+
+}  // namespace pentimento

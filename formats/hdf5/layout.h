@@ -1,0 +1,52 @@
+#pragma once
+// The names in a state dump (docs/state-format.md), shared by writer and reader, and the planes of
+// a canvas state in the form the dump has them.
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/canvas_state.h"
+
+namespace pentimento::hdf5 {
+
+/// A dataset of the canvas: rows of `row_values` values of 4 bytes, in the order of the dump.
+struct CanvasDataset {
+  const char* name;
+  const char* units;
+  const char* long_name;
+  bool is_integer = false;  // uint32, else float32
+  bool is_derived = false;  // follows from others: not in the hash, not read
+};
+
+/// In the order of the hash.
+inline constexpr std::array<CanvasDataset, 9> kCanvasDatasets = {{
+    {"/fluid/depth", "m", "depth of the wet paint"},
+    {"/fluid/velocity_x", "m/s", "surface velocity to the right"},
+    {"/fluid/velocity_y", "m/s", "surface velocity upwards"},
+    {"/canvas/base", "m", "paper relief and dried paint"},
+    {"/canvas/paper", "m", "paper relief"},
+    {"/canvas/reflectance", "1", "reflectance of the dry layer, per band"},
+    {"/layers/pigment", "1", "amount of each channel in each layer, bottom layer first"},
+    {"/layers/stroke", "1", "the last stroke that touched the cell, 0 = none", true},
+    {"/fluid/height", "m", "height of the surface: base + depth", false, true},
+}};
+
+/// Shape of a dataset of `state`.
+std::vector<std::uint64_t> shape_of(const CanvasState& state, const CanvasDataset& dataset);
+
+/// Rows of the whole dataset: `row` counts through all planes, top to bottom, plane after plane.
+int row_values(const CanvasState& state, const CanvasDataset& dataset);
+std::int64_t row_count(const CanvasState& state, const CanvasDataset& dataset);
+
+/// Copies one row as the dump has it (velocity_y negated, reflectance interleaved); `out` holds
+/// row_values() values of 4 bytes.
+void copy_row(const CanvasState& state, const CanvasDataset& dataset, std::int64_t row,
+              std::span<std::uint32_t> out);
+/// The other way. Not for derived datasets.
+void store_row(CanvasState& state, const CanvasDataset& dataset, std::int64_t row,
+               std::span<const std::uint32_t> in);
+
+}  // namespace pentimento::hdf5

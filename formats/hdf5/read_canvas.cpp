@@ -1,0 +1,167 @@
+#include "formats/hdf5/read_canvas.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <bit>
+#include <functional>
+
+#include "formats/hdf5/handle.h"
+#include "formats/hdf5/read_small.h"
+
+namespace pentimento::hdf5 {
+
+namespace {
+
+using Shape = std::vector<std::uint64_t>;
+
+constexpr std::uint64_t kMostLayers = 8;
+constexpr std::uint64_t kMostSide = 65536;
+constexpr std::uint64_t kBlockValues = std::uint64_t{1} << 20;  // read at once
+
+Error bad(const std::string& path, const std::string& what) {
+  return {ErrorCode::kBadInput, path + ": " + what};
+}
+
+Result<void> check_shape(const std::string& path, const char* name, const Shape& found,
+                         const Shape& needed) {
+  if (found == needed) return {};
+  return bad(path, fmt::format("{} is {}, must be {}", name, fmt::join(found, " x "),
+                               fmt::join(needed, " x ")));
+}
+
+Result<Shape> shape_in_file(hid_t file, const std::string& path, const char* name,
+                            std::size_t rank) {
+  const std::optional<Shape> shape = dataset_shape(file, name);
+  if (!shape) return bad(path, fmt::format("{} is missing", name));
+  if (shape->size() != rank)
+    return bad(path, fmt::format("{} has {} dimensions, must have {}", name, shape->size(), rank));
+  return *shape;
+}
+
+/// The part of a dataset that `block` rows from `row` on make, in a plane-after-plane count.
+bool select_rows(hid_t space, const Shape& shape, std::uint64_t row, std::uint64_t rows) {
+  hsize_t start[4] = {}, count[4] = {};
+  const std::size_t rank = shape.size();
+  for (std::size_t i = 0; i < rank; ++i) count[i] = shape[i];
+  const std::size_t y_axis = rank == 3 ? 0 : rank - 2;
+  const std::uint64_t ny = shape[y_axis];
+  start[y_axis] = row % ny;
+  count[y_axis] = rows;
+  if (rank == 4) {
+    start[0] = row / ny / shape[1];
+    start[1] = row / ny % shape[1];
+    count[0] = count[1] = 1;
+  }
+  return H5Sselect_hyperslab(space, H5S_SELECT_SET, start, nullptr, count, nullptr) >= 0;
+}
+
+/// Calls take(row, values) for each row of the dataset, in order. False if it cannot be read.
+bool for_each_row(hid_t file, const std::string& name, const Shape& shape, hid_t type,
+                  const std::function<void(std::int64_t, std::span<const std::uint32_t>)>& take) {
+  const std::size_t rank = shape.size();
+  const std::uint64_t ny = rank == 3 ? shape[0] : shape[rank - 2];
+  const std::uint64_t row_values = rank == 3 ? shape[1] * shape[2] : shape[rank - 1];
+  const std::uint64_t planes = rank == 4 ? shape[0] * shape[1] : 1;
+  if (planes * ny * row_values == 0) return true;
+  const Handle dataset(H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose);
+  const Handle space(H5Dget_space(dataset.id()), H5Sclose);
+  const std::uint64_t block = std::clamp<std::uint64_t>(kBlockValues / row_values, 1, ny);
+  std::vector<std::uint32_t> values(block * row_values);
+  for (std::uint64_t plane = 0; plane < planes; ++plane) {
+    for (std::uint64_t y = 0; y < ny; y += block) {
+      const std::uint64_t rows = std::min(block, ny - y);
+      const hsize_t count = rows * row_values;
+      const Handle memory(H5Screate_simple(1, &count, nullptr), H5Sclose);
+      if (!select_rows(space.id(), shape, plane * ny + y, rows)) return false;
+      if (H5Dread(dataset.id(), type, memory.id(), space.id(), H5P_DEFAULT, values.data()) < 0)
+        return false;
+      for (std::uint64_t i = 0; i < rows; ++i)
+        take(static_cast<std::int64_t>(plane * ny + y + i),
+             std::span(values).subspan(i * row_values, row_values));
+    }
+  }
+  return true;
+}
+
+bool is_finite(std::uint32_t bits) {
+  constexpr std::uint32_t kExponent = 0x7F800000u;
+  return (bits & kExponent) != kExponent;
+}
+
+}  // namespace
+
+Result<CanvasState> empty_canvas(hid_t file, const std::string& path) {
+  const Result<Shape> plane = shape_in_file(file, path, "/fluid/depth", 2);
+  if (!plane) return plane.error();
+  const Result<Shape> bands = shape_in_file(file, path, "/canvas/reflectance", 3);
+  if (!bands) return bands.error();
+  const Result<Shape> pigment = shape_in_file(file, path, "/layers/pigment", 4);
+  if (!pigment) return pigment.error();
+  const std::uint64_t ny = (*plane)[0], nx = (*plane)[1];
+  const std::uint64_t layers = (*pigment)[0], channels = (*pigment)[1];
+  if (ny == 0 || nx == 0) return bad(path, fmt::format("the canvas has {} x {} cells", nx, ny));
+  const std::uint64_t planes = layers * channels + (*bands)[2];
+  if (nx > kMostSide || ny > kMostSide || nx * ny > kMostCells || channels > kMostCells ||
+      (*bands)[2] > kMostCells || planes > kMostValues / (nx * ny))
+    return Error{
+        ErrorCode::kLimit,
+        fmt::format("{}: {} x {} cells in {} planes is more than is read", path, nx, ny, planes)};
+  if (layers < 1 || layers > kMostLayers)
+    return bad(path, fmt::format("{} layers, must be 1 to {}", layers, kMostLayers));
+  if ((*bands)[2] < 1) return bad(path, "/canvas/reflectance has no bands");
+  CanvasGeometry geometry;
+  geometry.width = static_cast<int>(nx);
+  geometry.height = static_cast<int>(ny);
+  CanvasState state =
+      make_canvas_state(geometry, static_cast<int>(layers), static_cast<int>(channels),
+                        static_cast<int>((*bands)[2]), 0);
+  for (const CanvasDataset& dataset : kCanvasDatasets) {
+    const Shape needed = shape_of(state, dataset);
+    const Result<Shape> found = shape_in_file(file, path, dataset.name, needed.size());
+    if (!found) return found.error();
+    if (const Result<void> fits = check_shape(path, dataset.name, *found, needed); !fits)
+      return fits.error();
+  }
+  return state;
+}
+
+Result<void> read_canvas(hid_t file, const std::string& path, const CanvasDataset& dataset,
+                         CanvasState& state) {
+  std::int64_t bad_row = -1;
+  const bool read = for_each_row(
+      file, dataset.name, shape_of(state, dataset),
+      dataset.is_integer ? H5T_NATIVE_UINT32 : H5T_NATIVE_FLOAT,
+      [&](std::int64_t row, std::span<const std::uint32_t> values) {
+        store_row(state, dataset, row, values);
+        if (!dataset.is_integer && !std::all_of(values.begin(), values.end(), is_finite))
+          bad_row = row;
+      });
+  if (!read) return bad(path, fmt::format("{} cannot be read", dataset.name));
+  if (bad_row >= 0)
+    return bad(path, fmt::format("{} has a value that is not finite in row {}", dataset.name,
+                                 bad_row % state.geometry.height));
+  return {};
+}
+
+Result<std::array<Field<float>, 3>> read_rgb_planes(hid_t file, const std::string& path,
+                                                    const std::string& name) {
+  const std::optional<Shape> shape = dataset_shape(file, name);
+  if (!shape || shape->size() != 3 || (*shape)[2] != 3 || (*shape)[0] > kMostSide ||
+      (*shape)[1] > kMostSide)
+    return bad(path, name + " must be rows x columns x 3");
+  std::array<Field<float>, 3> rgb;
+  for (Field<float>& plane : rgb)
+    plane = Field<float>(static_cast<int>((*shape)[1]), static_cast<int>((*shape)[0]));
+  const bool read = for_each_row(file, name, *shape, H5T_NATIVE_FLOAT,
+                                 [&](std::int64_t row, std::span<const std::uint32_t> values) {
+                                   for (std::size_t i = 0; i < values.size(); ++i)
+                                     rgb[i % 3].row(static_cast<int>(row))[i / 3] =
+                                         std::bit_cast<float>(values[i]);
+                                 });
+  if (!read) return bad(path, name + " cannot be read");
+  return rgb;
+}
+
+}  // namespace pentimento::hdf5

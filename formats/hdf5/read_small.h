@@ -1,0 +1,35 @@
+#pragma once
+// Attributes and small datasets of a file that may be anything: nothing is believed before it is
+// checked. For the .cpp files of this folder only.
+
+#include <hdf5.h>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "formats/hdf5/handle.h"
+#include "formats/io/picture_file.h"
+
+namespace pentimento::hdf5 {
+
+std::optional<std::string> text_attribute(hid_t object, const std::string& name);
+std::optional<double> number_attribute(hid_t object, const std::string& name);
+std::optional<std::int64_t> whole_attribute(hid_t object, const std::string& name);
+
+/// All attributes of `object` that are text, by name.
+Provenance text_attributes(hid_t object);
+
+bool has_dataset(hid_t file, const std::string& name);
+/// The dataset's shape; nothing if there is no such dataset.
+std::optional<std::vector<std::uint64_t>> dataset_shape(hid_t file, const std::string& name);
+
+/// Nothing unless there is such a dataset of exactly this shape.
+std::optional<std::vector<double>> read_doubles(hid_t file, const std::string& name,
+                                                const std::vector<std::uint64_t>& shape);
+/// Nothing unless there is a list of at most `most` strings.
+std::optional<std::vector<std::string>> read_strings(hid_t file, const std::string& name,
+                                                     std::size_t most);
+
+}  // namespace pentimento::hdf5

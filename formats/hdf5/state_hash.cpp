@@ -1,0 +1,40 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <bit>
+
+#include "formats/hdf5/layout.h"
+#include "formats/hdf5/state_dump.h"
+#include "formats/io/sha256.h"
+
+namespace pentimento {
+
+namespace {
+
+/// The hash is of little-endian values.
+void to_little_endian(std::span<std::uint32_t> values) {
+  if constexpr (std::endian::native == std::endian::big)
+    for (std::uint32_t& v : values) v = __builtin_bswap32(v);
+}
+
+}  // namespace
+
+std::string state_sha256(const CanvasState& state) {
+  Sha256 hash;
+  hash.update(fmt::format("{} {}\nstep {}\n", kStateFormat, kStateVersion, state.step));
+  std::vector<std::uint32_t> row;
+  for (const hdf5::CanvasDataset& dataset : hdf5::kCanvasDatasets) {
+    if (dataset.is_derived) continue;
+    hash.update(fmt::format("{} {} {}\n", dataset.name, dataset.is_integer ? "uint32" : "float32",
+                            fmt::join(hdf5::shape_of(state, dataset), " ")));
+    row.resize(static_cast<std::size_t>(hdf5::row_values(state, dataset)));
+    for (std::int64_t y = 0; y < hdf5::row_count(state, dataset); ++y) {
+      hdf5::copy_row(state, dataset, y, row);
+      to_little_endian(row);
+      hash.update(row.data(), row.size() * sizeof(std::uint32_t));
+    }
+  }
+  return hash.hex();
+}
+
+}  // namespace pentimento
