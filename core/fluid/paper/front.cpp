@@ -35,6 +35,15 @@ void receive(const Run& run, const CanvasState& state, float thin, const Velocit
   }
 }
 
+/// Whether any of the cells of row y is thin; false outside the canvas.
+bool any_thin(const Field<float>& depth_m, float thin, int y, Columns cells) {
+  if (y < 0 || y >= depth_m.height()) return false;
+  const float* d = depth_m.row(y);
+  int count = 0;
+  for (int x = cells.begin; x < cells.end; ++x) count += d[x] < thin ? 1 : 0;
+  return count != 0;
+}
+
 }  // namespace
 
 void reach_along_row(const StepConstants& k, const CanvasState& state, const BrushContact& contact,
@@ -42,6 +51,7 @@ void reach_along_row(const StepConstants& k, const CanvasState& state, const Bru
   const int width = state.geometry.width;
   const float* d = state.depth_m.row(y);
   const float* u = velocity.u_m_s.row(y);
+  if (!any_thin(state.depth_m, k.dry_film_m, y, widened(cells, width))) return;
   for (int x = cells.begin; x < cells.end; ++x) {
     if (u[x] == 0.0f || d[x] < k.dry_film_m) continue;
     const int ahead = u[x] > 0.0f ? x + 1 : x - 1;
@@ -59,6 +69,9 @@ void reach_along_columns(const StepConstants& k, const CanvasState& state,
   for (int y = row_begin; y < row_end; ++y) {
     const float* d = state.depth_m.row(y);
     const float* v = velocity.v_m_s.row(y);
+    if (!any_thin(state.depth_m, k.dry_film_m, y - 1, cells) &&
+        !any_thin(state.depth_m, k.dry_film_m, y + 1, cells))
+      continue;
     for (int x = cells.begin; x < cells.end; ++x) {
       if (v[x] == 0.0f || d[x] < k.dry_film_m) continue;
       const int ahead = v[x] > 0.0f ? y + 1 : y - 1;
@@ -72,31 +85,25 @@ void reach_along_columns(const StepConstants& k, const CanvasState& state,
 
 bool update_velocity_row(const BrushContact& contact, const Velocity& velocity, const Reach& reach,
                          int y, Columns cells, CanvasState& state) {
-  const int last_x = state.geometry.width - 1, last_y = state.geometry.height - 1;
   const float* d = state.depth_m.row(y);
   const float *u = velocity.u_m_s.row(y), *v = velocity.v_m_s.row(y);
   const float *reach_u = reach.u_m_s.row(y), *reach_v = reach.v_m_s.row(y);
   const float* count = reach.count.row(y);
-  const bool stamped_row = y >= contact.row_begin && y < contact.row_end;
-  const bool edge_row = y == 0 || y == last_y;
+  const float* weight = contact.weight.row(y);
   float* out_u = state.velocity_x_m_s.row(y);
   float* out_v = state.velocity_y_m_s.row(y);
-  bool changed = false;
+  int changed = 0;
   for (int x = cells.begin; x < cells.end; ++x) {
-    const bool wet = d[x] > 0.0f;
-    float new_u = wet ? u[x] : 0.0f, new_v = wet ? v[x] : 0.0f;
-    const bool held = wet && stamped_row && contact.weight(x, y) > 0.0f;
-    if (count[x] > 0.0f && !held) {
-      new_u = reach_u[x] / count[x];
-      new_v = reach_v[x] / count[x];
-    }
-    if (x == 0 || x == last_x) new_u = 0.0f;
-    if (edge_row) new_v = 0.0f;
-    changed |= new_u != out_u[x] || new_v != out_v[x];
+    const bool wet = d[x] > 0.0f, reached = (count[x] > 0.0f) & !(wet & (weight[x] > 0.0f));
+    const float share = 1.0f / std::max(count[x], 1.0f);
+    const float own_u = wet ? u[x] : 0.0f, own_v = wet ? v[x] : 0.0f;
+    const float new_u = reached ? reach_u[x] * share : own_u;
+    const float new_v = reached ? reach_v[x] * share : own_v;
+    changed |= static_cast<int>(new_u != out_u[x]) | static_cast<int>(new_v != out_v[x]);
     out_u[x] = new_u;
     out_v[x] = new_v;
   }
-  return changed;
+  return changed != 0;
 }
 
 }  // namespace pentimento::paper

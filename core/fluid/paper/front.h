@@ -25,7 +25,7 @@ void reach_along_columns(const StepConstants& k, const CanvasState& state,
 ///   thin cells (d < dry film): the mean of what reaches them; else, and in all other cells, their
 ///   own; 0 on bare paper that nothing reaches
 /// Scheme: first-order extrapolation. Stable: a mean. Source: A9, R15. Departures: see above.
-/// Stamped wet cells keep the brush's velocity (R17); the edge stays closed (R16).
+/// Stamped wet cells keep the brush's velocity (R17). The caller closes the edge (R16) in both.
 bool update_velocity_row(const BrushContact& contact, const Velocity& velocity, const Reach& reach,
                          int y, Columns cells, CanvasState& state);
 

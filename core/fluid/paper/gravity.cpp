@@ -13,7 +13,8 @@ void accelerate_row(const StepConstants& k, const CanvasState& state, const Fiel
   const float gx = k.gravity_x_m_s2, gy = k.gravity_y_m_s2, dt = k.dt_s, dry = k.dry_film_m;
   const bool lateral_is_scaled = k.phi_scales_lateral;
   for_cells(cells, height_m.width(), [=](int x, int l, int r) {
-    const float thick = (d[x] < dry) & (mobility[x] == 0.0f) ? 0.0f : 1.0f;
+    const bool is_thin = (d[x] < dry) & (mobility[x] == 0.0f);
+    const float thick = is_thin ? 0.0f : 1.0f;
     const float lateral = lateral_is_scaled ? mobility[x] : thick;
     u[x] -= dt * (mobility[x] * (slope_x * (h.here[r] - h.here[l])) + lateral * gx);
     v[x] -= dt * (mobility[x] * (slope_y * (h.below[x] - h.above[x])) + lateral * gy);

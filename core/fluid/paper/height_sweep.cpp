@@ -2,8 +2,8 @@
 
 namespace pentimento::paper {
 
-void sweep_height_row(const HeightSystem& system, const Field<float>& height_m, int y,
-                      Columns cells, float* out) {
+void sweep_height_row(const Stencil& system, const Field<float>& height_m, int y, Columns cells,
+                      float* out) {
   const Rows h = rows_at(height_m, y);
   const float *centre = system.centre.row(y), *left = system.left.row(y);
   const float *right = system.right.row(y), *up = system.up.row(y), *down = system.down.row(y);

@@ -9,8 +9,8 @@ namespace pentimento::paper {
 /// 1 (build_height_system_row). After 4 sweeps a cosine of 16 cells in a film of 0.5 mm stands at
 /// 0.8632 of its amplitude, converged at 0.7211. Source: R9 (Stuyck et al. 2016, section 5.1).
 /// Departures: none; the number of sweeps is a parameter.
-void sweep_height_row(const HeightSystem& system, const Field<float>& height_m, int y,
-                      Columns cells, float* out);
+void sweep_height_row(const Stencil& system, const Field<float>& height_m, int y, Columns cells,
+                      float* out);
 
 /// Keeps the film of row y between bare paper and the largest depth: b <= h <= b + max_medium. The
 /// solve keeps neither bound; without them volume below the paper would be owed, and converging

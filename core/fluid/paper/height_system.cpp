@@ -21,7 +21,7 @@ void build_height_system_row(const StepConstants& k, const CanvasState& state, i
   const float* u = planes.u_m_s[0].row(y);
   const float* d = state.depth_m.row(y);
   const float* mobility = planes.mobility_frac.row(y);
-  HeightSystem& s = planes.system;
+  Stencil& s = planes.system;
   float *centre = s.centre.row(y), *left = s.left.row(y), *right = s.right.row(y);
   float *up = s.up.row(y), *down = s.down.row(y);
   const float half_dx = 0.5f / k.dx_m, half_dy = 0.5f / k.dy_m;

@@ -63,6 +63,13 @@ void PaperScheme::for_live_rows(const StepInput& in, Body body) const {
   });
 }
 
+template <typename Body>
+void PaperScheme::for_reach_rows(const StepInput& in, Body body) const {
+  in.threads.for_ranges(reach_rows_.begin, reach_rows_.end, kRowsPerTask, [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) body(y);
+  });
+}
+
 bool PaperScheme::step(CanvasState& state, const StepInput& in) {
   constants_ = make_step_constants(state.geometry, in);
   rows_.find(state, in.contact, in.threads);
@@ -73,6 +80,7 @@ bool PaperScheme::step(CanvasState& state, const StepInput& in) {
   trace(state, in);
   const Field<float>& height_m = solve_height(state, in);
   const std::size_t velocity = solve_velocity(state, in, height_m);
+  find_reach(state);
   for_live_rows(in, [&](int y, Columns cells) {
     row_changed_[at(y)] |= update_depth_row(planes_, height_m, y, cells, state) ? 1 : 0;
   });
@@ -134,6 +142,7 @@ std::size_t PaperScheme::solve_velocity(const CanvasState& state, const StepInpu
   for_live_rows(in, [&](int y, Columns cells) {
     accelerate_row(constants_, state, height_m, y, cells, planes_);
     impose_brush_row(in.contact, y, cells, planes_.u_m_s[0].row(y), planes_.v_m_s[0].row(y));
+    build_viscosity_row(constants_, y, cells, planes_);
   });
   const Velocity right_side{planes_.u_m_s[0], planes_.v_m_s[0]};
   std::size_t latest = 0;
@@ -141,7 +150,7 @@ std::size_t PaperScheme::solve_velocity(const CanvasState& state, const StepInpu
     const Velocity from{planes_.u_m_s[latest], planes_.v_m_s[latest]};
     const std::size_t to = latest == 1 ? 2 : 1;
     for_live_rows(in, [&](int y, Columns cells) {
-      sweep_viscosity_row(constants_, planes_, right_side, from, y, cells, planes_.u_m_s[to].row(y),
+      sweep_viscosity_row(planes_.system, right_side, from, y, cells, planes_.u_m_s[to].row(y),
                           planes_.v_m_s[to].row(y));
     });
     latest = to;
@@ -168,10 +177,14 @@ void PaperScheme::finish_row(const CanvasState& state, const StepInput& in, std:
 }
 
 void PaperScheme::move_pigment(CanvasState& state, const StepInput& in, std::size_t velocity) {
-  for_live_rows(in, [&](int y, Columns) { count_layers_row(state, y, row_flow_[at(y)], planes_); });
+  if (reach_cells_ == 0) return;
+  for_reach_rows(in, [&](int y) {
+    loosen_row(state, in.amount, constants_.residue, y, reach_columns_, planes_);
+    if (!rows_.live(y).empty()) count_layers_row(state, y, row_flow_[at(y)], planes_);
+  });
   for (int layer = 0; layer < state.layers; ++layer) {
     for_live_rows(in, [&](int y, Columns) {
-      trace_pigment_row(constants_, state, in.amount, layer, planes_.u_m_s[velocity].row(y),
+      trace_pigment_row(constants_, state, layer, planes_.u_m_s[velocity].row(y),
                         planes_.v_m_s[velocity].row(y), y, row_flow_[at(y)], planes_);
     });
     for_live_rows(in, [&](int y, Columns) {
@@ -187,36 +200,38 @@ float PaperScheme::fastest_m_s() const {
   return std::sqrt(speed2);
 }
 
-void PaperScheme::store_velocity(CanvasState& state, const StepInput& in, std::size_t velocity) {
-  const int width = state.geometry.width, height = state.geometry.height;
+void PaperScheme::find_reach(const CanvasState& state) {
   const float cell_m = std::min(constants_.dx_m, constants_.dy_m);
   const float travel = fastest_m_s() * constants_.dt_s / cell_m;
-  const int reach = travel == 0.0f ? 0 : 1 + static_cast<int>(std::min(travel, 1e6f));
+  reach_cells_ = travel == 0.0f ? 0 : 1 + static_cast<int>(std::min(travel, 1e6f));
   const Columns live = rows_.box();
-  const Columns box{std::max(live.begin - reach, 0), std::min(live.end + reach, width)};
-  const int row_begin = std::max(rows_.row_begin() - reach, 0);
-  const int row_end = std::min(rows_.row_end() + reach, height);
-  Field<float>&u = planes_.u_m_s[velocity], &v = planes_.v_m_s[velocity];
+  reach_columns_ = {std::max(live.begin - reach_cells_, 0),
+                    std::min(live.end + reach_cells_, state.geometry.width)};
+  reach_rows_ = {std::max(rows_.row_begin() - reach_cells_, 0),
+                 std::min(rows_.row_end() + reach_cells_, state.geometry.height)};
+}
 
-  in.threads.for_ranges(row_begin, row_end, kRowsPerTask, [&](int begin, int end) {
-    for (int y = begin; y < end; ++y) {
-      clear_around(rows_.live(y), box, u.row(y));
-      clear_around(rows_.live(y), box, v.row(y));
-      for (Field<float>* f : {&planes_.reach.u_m_s, &planes_.reach.v_m_s, &planes_.reach.count})
-        std::fill(f->row(y) + box.begin, f->row(y) + box.end, 0.0f);
-      if (reach > 0 && !rows_.live(y).empty())
-        reach_along_row(constants_, state, in.contact, {u, v}, y, row_flow_[at(y)], planes_.reach);
-    }
+void PaperScheme::store_velocity(CanvasState& state, const StepInput& in, std::size_t velocity) {
+  const Columns box = reach_columns_;
+  Field<float>&u = planes_.u_m_s[velocity], &v = planes_.v_m_s[velocity];
+  Reach& reach = planes_.reach;
+  for_reach_rows(in, [&](int y) {
+    clear_around(rows_.live(y), box, u.row(y));
+    clear_around(rows_.live(y), box, v.row(y));
+    for (Field<float>* f : {&reach.u_m_s, &reach.v_m_s, &reach.count})
+      std::fill(f->row(y) + box.begin, f->row(y) + box.end, 0.0f);
+    if (reach_cells_ > 0 && !rows_.live(y).empty())
+      reach_along_row(constants_, state, in.contact, {u, v}, y, row_flow_[at(y)], reach);
   });
-  if (reach > 0)
+  if (reach_cells_ > 0)
     in.threads.for_ranges(box.begin, box.end, kColumnsPerTask, [&](int begin, int end) {
-      reach_along_columns(constants_, state, in.contact, {u, v}, {begin, end}, row_begin, row_end,
-                          planes_.reach);
+      reach_along_columns(constants_, state, in.contact, {u, v}, {begin, end}, reach_rows_.begin,
+                          reach_rows_.end, reach);
     });
-  in.threads.for_ranges(row_begin, row_end, kRowsPerTask, [&](int begin, int end) {
-    for (int y = begin; y < end; ++y)
-      row_changed_[at(y)] |=
-          update_velocity_row(in.contact, {u, v}, planes_.reach, y, box, state) ? 1 : 0;
+  for_reach_rows(in, [&](int y) {
+    close_edge_row(y, state.geometry.width, state.geometry.height, box, reach.u_m_s.row(y),
+                   reach.v_m_s.row(y));
+    if (update_velocity_row(in.contact, {u, v}, reach, y, box, state)) row_changed_[at(y)] = 1;
   });
 }
 

@@ -10,9 +10,9 @@
 
 namespace pentimento::paper {
 
-/// h+ = centre + left h+(x-1) + right h+(x+1) + up h+(y-1) + down h+(y+1): R6 divided by its
-/// diagonal.
-struct HeightSystem {
+/// A five-point system divided by its diagonal: the weights of the neighbours, and `centre`, which
+/// is the right-hand side of the height and the inverse diagonal of the viscosity.
+struct Stencil {
   Field<float> centre, left, right, up, down;
 };
 
@@ -33,10 +33,11 @@ struct Planes {
   Field<float> mobility_frac;                // 1 - Phi, 0 where R15 takes gravity away
   Field<float> viscosity_m2_s;               // 0 in stamped cells: their velocity is given
   Field<float> wet;                          // 1 where there is fluid, else 0
-  HeightSystem system;                       // its `centre` receives the traced height first
-  Field<std::uint8_t> moved;                 // 1 where velocity was or is not 0
-  Field<std::uint8_t> occupied;              // layers that hold pigment
+  Stencil system;  // of the height (`centre` first holds the traced height), then of the viscosity
+  Field<std::uint8_t> moved;     // 1 where velocity was or is not 0
+  Field<std::uint8_t> occupied;  // layers that hold pigment
   Reach reach;
+  Field<float> loose_frac;            // part of the bottom layer that does not stick
   std::vector<Field<float>> pigment;  // one layer's channels on their way
 };
 

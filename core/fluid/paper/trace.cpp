@@ -17,7 +17,7 @@ std::pair<int, int> nearest(const Departure& p) {
 
 void trace_row(const StepConstants& k, const CanvasState& state, int y, Columns cells,
                const TracedRow& out) {
-  const int width = state.geometry.width, height = state.geometry.height;
+  const GridShape grid = shape_of(state.depth_m);
   const float cells_per_u = k.dt_s / k.dx_m, cells_per_v = k.dt_s / k.dy_m;
   const float* u = state.velocity_x_m_s.row(y);
   const float* v = state.velocity_y_m_s.row(y);
@@ -28,12 +28,12 @@ void trace_row(const StepConstants& k, const CanvasState& state, int y, Columns 
     out.v_m_s[x] = 0.0f;
     out.height_m[x] = d[x] + b[x];
     if (u[x] == 0.0f && v[x] == 0.0f) continue;
-    const Departure from = depart(x, y, u[x] * cells_per_u, v[x] * cells_per_v, width, height);
-    const float traced_depth = interpolate(state.depth_m, from);
+    const Departure from = depart(x, y, u[x] * cells_per_u, v[x] * cells_per_v, grid);
+    const float traced_depth = interpolate(state.depth_m.row(0), from);
     if (d[x] == 0.0f && traced_depth == 0.0f) continue;
-    out.u_m_s[x] = interpolate(state.velocity_x_m_s, from);
-    out.v_m_s[x] = interpolate(state.velocity_y_m_s, from);
-    out.height_m[x] = traced_depth + interpolate(state.base_m, from);
+    out.u_m_s[x] = interpolate(state.velocity_x_m_s.row(0), from);
+    out.v_m_s[x] = interpolate(state.velocity_y_m_s.row(0), from);
+    out.height_m[x] = traced_depth + interpolate(state.base_m.row(0), from);
     if (d[x] >= k.dry_film_m) continue;
     // Reads thick cells only and writes thin ones, so rows do not disturb each other.
     const auto [from_x, from_y] = nearest(from);

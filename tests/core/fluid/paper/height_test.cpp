@@ -69,7 +69,7 @@ TEST(HeightSystem, KeepsItsDiagonalDominantOnAnyRelief) {
   for (int y = 0; y < 30; ++y) {
     build_height_system_row(k, canvas.state, y, {0, 40}, planes);
     for (int x = 0; x < 40; ++x) {
-      const HeightSystem& s = planes.system;
+      const Stencil& s = planes.system;
       const float sum = std::abs(s.left(x, y)) + std::abs(s.right(x, y)) + std::abs(s.up(x, y)) +
                         std::abs(s.down(x, y));
       EXPECT_LE(sum, 1.000001f) << x << "," << y;  // rounding of five terms

@@ -33,8 +33,9 @@ struct Edge {
     const StepInput in{canvas.model,   canvas.gravity, canvas.dt_s,
                        canvas.contact, canvas.amount,  canvas.threads};
     const StepConstants k = make_step_constants(canvas.state.geometry, in);
-    trace_pigment_row(k, canvas.state, canvas.amount, layer, u.data(), v.data(), 1, {0, 48},
-                      planes);
+    for (int y = 0; y < 3; ++y)
+      loosen_row(canvas.state, canvas.amount, residue, y, {0, 48}, planes);
+    trace_pigment_row(k, canvas.state, layer, u.data(), v.data(), 1, {0, 48}, planes);
     return planes.pigment[0](x, 1);
   }
   TestCanvas canvas;
@@ -48,6 +49,18 @@ TEST(Pigment, ArrivesFromUpstreamAtTheSpeedOfItsLayer) {
   EXPECT_EQ(edge.traced(0, 23, 0), 0);
   EXPECT_FLOAT_EQ(edge.traced(1, 25, 0), 0.2f);
   EXPECT_EQ(edge.traced(1, 27, 0), 0);
+}
+
+TEST(Pigment, CountsTheLayersThatHoldAny) {
+  TestCanvas canvas(300, 1, 3, 2);
+  canvas.state.channel(0, 1)(299, 0) = 0.1f;
+  canvas.state.channel(2, 0)(299, 0) = 0.1f;
+  canvas.state.channel(1, 0)(5, 0) = 0.1f;
+  Planes planes = make_planes(300, 1, 2);
+  count_layers_row(canvas.state, 0, {0, 300}, planes);
+  EXPECT_EQ(planes.occupied(299, 0), 2);
+  EXPECT_EQ(planes.occupied(5, 0), 1);
+  EXPECT_EQ(planes.occupied(6, 0), 0);
 }
 
 TEST(Pigment, TheResidueStaysInTheBottomLayer) {

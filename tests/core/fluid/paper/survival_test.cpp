@@ -121,6 +121,23 @@ TEST(PaperScheme, BitsDoNotDependOnThreads) {
   EXPECT_TRUE(same_state(one, painted(7)));
 }
 
+TEST(PaperScheme, TheStateIsAllThatAStepKnows) {
+  TestCanvas one(96, 72), other(96, 72);
+  for (TestCanvas* canvas : {&one, &other}) {
+    canvas->roughen(6e-4f);
+    canvas->gravity = {1, -4, 8};
+  }
+  for (int step = 0; step < 60; ++step) {
+    if (step == 30) other.state = copy_of(one.state);  // a scheme that has seen nothing so far
+    paint(one, step);
+    one.step();
+    if (step < 30) continue;
+    paint(other, step);
+    other.step();
+  }
+  EXPECT_TRUE(same_state(one.state, other.state));
+}
+
 TEST(PaperScheme, WhatAStepLeavesAloneStaysAlone) {
   TestCanvas canvas(64, 48);
   canvas.pour(20, 20, 40, 30, 0.004f, 0.02f);

@@ -28,10 +28,11 @@ TEST(Viscosity, IsBoundedFarBeyondTheExplicitLimit) {
       p.u_m_s[0](x, y) = (x + y) % 2 == 0 ? 1.0f : -1.0f;
       p.u_m_s[1](x, y) = p.u_m_s[0](x, y);
     }
+  for (int y = 0; y < 24; ++y) build_viscosity_row(k, y, {0, 24}, p);
   for (int sweep = 0; sweep < 50; ++sweep) {
     const std::size_t from = sweep % 2 == 0 ? 1 : 2, to = 3 - from;
     for (int y = 0; y < 24; ++y)
-      sweep_viscosity_row(k, p, {p.u_m_s[0], p.v_m_s[0]}, {p.u_m_s[from], p.v_m_s[from]}, y,
+      sweep_viscosity_row(p.system, {p.u_m_s[0], p.v_m_s[0]}, {p.u_m_s[from], p.v_m_s[from]}, y,
                           {0, 24}, p.u_m_s[to].row(y), p.v_m_s[to].row(y));
     EXPECT_TRUE(within(p.u_m_s[to], -1, 1));
   }
@@ -48,7 +49,8 @@ TEST(Viscosity, DryNeighboursPullNothing) {
     p.wet(x, 1) = 1;
     p.u_m_s[0](x, 1) = 0.25f;
   }
-  sweep_viscosity_row(k, p, {p.u_m_s[0], p.v_m_s[0]}, {p.u_m_s[0], p.v_m_s[0]}, 1, {0, 5},
+  build_viscosity_row(k, 1, {0, 5}, p);
+  sweep_viscosity_row(p.system, {p.u_m_s[0], p.v_m_s[0]}, {p.u_m_s[0], p.v_m_s[0]}, 1, {0, 5},
                       p.u_m_s[1].row(1), p.v_m_s[1].row(1));
   for (int x = 1; x < 4; ++x) EXPECT_FLOAT_EQ(p.u_m_s[1](x, 1), 0.25f);
 }
