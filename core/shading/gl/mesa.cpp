@@ -11,3 +11,18 @@ void prepare_mesa(int gl_threads) {
 }
 
 }  // namespace pentimento
+
+#if defined(__SANITIZE_ADDRESS__)
+#define PENTIMENTO_LEAK_CHECK 1
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define PENTIMENTO_LEAK_CHECK 1
+#endif
+#endif
+#ifdef PENTIMENTO_LEAK_CHECK
+// Mesa keeps the window of each context it ever made current. The checker looks for this name.
+extern "C" const char* __lsan_default_suppressions();
+extern "C" const char* __lsan_default_suppressions() {
+  return "leak:libOSMesa\nleak:libEGL\nleak:libgallium\nleak:swrast_dri\n";
+}
+#endif

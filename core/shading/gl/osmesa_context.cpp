@@ -1,5 +1,3 @@
-#include <GL/osmesa.h>
-
 #include <array>
 
 #include "core/shading/gl/context.h"
@@ -8,10 +6,15 @@
 namespace pentimento {
 namespace {
 
-using CreateContext = OSMesaContext (*)(const int*, OSMesaContext);
-using DestroyContext = void (*)(OSMesaContext);
-using MakeCurrent = GLboolean (*)(OSMesaContext, void*, GLenum, GLsizei, GLsizei);
-using GetProcAddress = OSMESAproc (*)(const char*);
+// The library's interface, written out: distributions that dropped it have no header for it either.
+using Context = struct OsmesaOpaque*;
+using CreateContext = Context (*)(const int*, Context);
+using DestroyContext = void (*)(Context);
+using MakeCurrent = unsigned char (*)(Context, void*, unsigned, int, int);
+using GetProcAddress = GlContext::Function (*)(const char*);
+constexpr unsigned kUnsignedByte = 0x1401;
+constexpr int kFormat = 0x22, kRgba = 0x1908, kProfile = 0x33, kCoreProfile = 0x34;
+constexpr int kMajorVersion = 0x36, kMinorVersion = 0x37;
 
 class OsmesaContext : public GlContext {
  public:
@@ -30,12 +33,12 @@ class OsmesaContext : public GlContext {
 
   Result<void> make_current() override {
     // OSMesa wants a buffer for its window; pictures go to framebuffer objects.
-    if (make_current_(context_, window_.data(), GL_UNSIGNED_BYTE, kWindow, kWindow) == GL_TRUE) {
+    if (make_current_(context_, window_.data(), kUnsignedByte, kWindow, kWindow) != 0) {
       return {};
     }
     return Error{ErrorCode::kIo, "OSMesa: the context cannot be made current"};
   }
-  void release() override { make_current_(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0); }
+  void release() override { make_current_(nullptr, nullptr, kUnsignedByte, 0, 0); }
   Function function(const char* name) const override { return get_(name); }
   std::string_view name() const override { return "OSMesa"; }
 
@@ -48,15 +51,8 @@ class OsmesaContext : public GlContext {
         get_(library.function<GetProcAddress>("OSMesaGetProcAddress")) {}
   bool create() {
     if (!create_ || !destroy_ || !make_current_ || !get_) return false;
-    constexpr int kAttributes[] = {OSMESA_FORMAT,
-                                   OSMESA_RGBA,
-                                   OSMESA_PROFILE,
-                                   OSMESA_CORE_PROFILE,
-                                   OSMESA_CONTEXT_MAJOR_VERSION,
-                                   3,
-                                   OSMESA_CONTEXT_MINOR_VERSION,
-                                   3,
-                                   0};
+    constexpr int kAttributes[] = {kFormat,       kRgba, kProfile, kCoreProfile, kMajorVersion, 3,
+                                   kMinorVersion, 3,     0};
     context_ = create_(kAttributes, nullptr);
     return context_ != nullptr;
   }
@@ -65,7 +61,7 @@ class OsmesaContext : public GlContext {
   DestroyContext destroy_;
   MakeCurrent make_current_;
   GetProcAddress get_;
-  OSMesaContext context_ = nullptr;
+  Context context_ = nullptr;
   std::array<unsigned char, 4 * kWindow * kWindow> window_{};
 };
 

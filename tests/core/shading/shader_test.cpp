@@ -15,7 +15,7 @@ using reference::Pixel;
 using reference::ShadingReference;
 using reference::WholePicture;
 
-std::unique_ptr<Shader> open(GlBackend backend = GlBackend::kOsmesa) {
+std::unique_ptr<Shader> open(GlBackend backend = GlBackend::kAuto) {
   auto shader = Shader::open(backend, 2);
   EXPECT_TRUE(shader) << shader.error().message;
   return shader ? std::move(*shader) : nullptr;
@@ -309,17 +309,18 @@ TEST(Shader, TheCameraSeesTheViewersRightInItsLeftHalf) {
   }
 }
 
+// Mesa 25.1 dropped OSMesa, so it may be missing; EGL must be there.
 TEST(Shader, EglGivesTheSameBitsAsOsmesa) {
-  const auto osmesa = open(GlBackend::kOsmesa);
   const auto egl = open(GlBackend::kEgl);
-  ASSERT_TRUE(osmesa && egl);
+  ASSERT_TRUE(egl);
+  const auto osmesa = Shader::open(GlBackend::kOsmesa, 2);
+  if (!osmesa) GTEST_SKIP() << osmesa.error().message;
   const Scene scene;
-  EXPECT_EQ(scene.shade(*osmesa, request(150, 110, kAllAovs)).planes,
+  EXPECT_EQ(scene.shade(**osmesa, request(150, 110, kAllAovs)).planes,
             scene.shade(*egl, request(150, 110, kAllAovs)).planes);
 }
 
 TEST(Shader, SaysWhatItRunsOn) {
-  EXPECT_EQ(open(GlBackend::kOsmesa)->description().rfind("OSMesa, ", 0), 0u);
   EXPECT_EQ(open(GlBackend::kEgl)->description().rfind("EGL, ", 0), 0u);
 }
 
