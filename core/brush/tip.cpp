@@ -26,13 +26,16 @@ TipLevel::TipLevel(const Field<float>& map)
 }
 
 Tip::Tip(const BrushDefinition& brush) : extent_(tip_extent(brush.shape)) {
-  const Field<float> master = draw_tip(brush, kMasterSize, seed_of(brush.name));
+  const std::uint64_t seed = seed_of(brush.name);
+  const Field<float> master = draw_tip(brush, kMasterSize, seed);
   double sum = 0;
   for (int y = 0; y < kMasterSize; ++y)
     for (int x = 0; x < kMasterSize; ++x) sum += static_cast<double>(master(x, y));
   mean_ = static_cast<float>(sum / (kMasterSize * kMasterSize));
   for (const int size : {256, 181, 128, 91, 64, 45, 32, 23, 16, 11, 8, 6, 4, 3, 2})
     levels_.emplace_back(resample_area(master, size, size));
+  for (std::size_t i = 0; i < grip_.size(); ++i)
+    grip_[i] = hair_grip(brush.shape, 2 * static_cast<float>(i) / kGripSteps - 1, seed);
   if (mean_ > 0) list_texels(resample_area(master, kReservoirSide, kReservoirSide));
 }
 

@@ -2,6 +2,8 @@
 // A brush tip ready to be stamped: its map at many resolutions, so that a cell of any size gets the
 // mean of the tip over about its own area. Immutable once made; safe to read from threads.
 
+#include <algorithm>
+#include <array>
 #include <vector>
 
 #include "core/brush/brush_settings.h"
@@ -55,6 +57,12 @@ class Tip {
   /// Mean value over the tip's square, in [0,1].
   float mean() const { return mean_; }
   TipExtent extent() const { return extent_; }
+  /// How strongly the hairs at v (tip coordinates) take hold: hair_grip(), interpolated.
+  float grip(float v) const {
+    const float x = std::clamp((v + 0.5f) * kGripSteps, 0.0f, kGripSteps - 0.001f);
+    const std::size_t i = static_cast<std::size_t>(x);
+    return grip_[i] + (x - static_cast<float>(i)) * (grip_[i + 1] - grip_[i]);
+  }
   /// The reservoir's texels that the tip covers, and those that touch them.
   const std::vector<TipTexel>& texels() const { return texels_; }
 
@@ -65,6 +73,8 @@ class Tip {
   float mean_ = 0;
   TipExtent extent_;
   std::vector<TipTexel> texels_;
+  static constexpr int kGripSteps = 128;
+  std::array<float, kGripSteps + 1> grip_{};
 };
 
 }  // namespace pentimento

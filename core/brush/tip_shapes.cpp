@@ -39,6 +39,11 @@ float hair_load(float v, float unevenness, std::uint64_t seed) {
   return 1 + unevenness * (1.2f * coarse + 0.8f * fine);
 }
 
+/// Paint is squeezed out to the sides and stands there as a ridge.
+float side_ridge(float v) {
+  return 1 + 0.35f * smooth_step(0.7f, 0.88f, std::abs(v));
+}
+
 /// How much longer than the mean the hairs at v are, within +-1.
 float hair_length(float v, std::uint64_t seed) {
   return 2 * (0.6f * noise(v * 14, seed, 2) + 0.4f * noise(v * 37, seed, 3)) - 1;
@@ -55,12 +60,12 @@ float shape_value(TipShape shape, float u, float v, std::uint64_t seed) {
       const float along = std::abs(u) / (kFlatLength * (0.85f + 0.15f * hair_length(v, seed)));
       const float across = std::abs(v);
       return (1 - smooth_step(0.6f, 1, along)) * (1 - smooth_step(0.93f, 1, across)) *
-             hair_load(v, 0.6f, seed) / 1.6f;
+             hair_load(v, 0.6f, seed) * side_ridge(v) / 2.2f;
     }
     case TipShape::kFilbert: {
       const float x = u / kFilbertLength;
       const float r = std::sqrt(x * x + v * v) * (1 - 0.08f * hair_length(v, seed));
-      return (1 - smooth_step(0.7f, 1, r)) * hair_load(v, 0.5f, seed) / 1.5f;
+      return (1 - smooth_step(0.7f, 1, r)) * hair_load(v, 0.5f, seed) * side_ridge(v) / 2.1f;
     }
     case TipShape::kKnife: {
       const float along = std::abs(u) / kKnifeLength;
@@ -99,7 +104,8 @@ void draw_bristle(std::uint64_t seed, int index, Field<float>& map) {
   u *= pull * (kBristleLength - radius);
   v *= pull * (1 - radius);
   const float lateral = hair_load(v, 0.9f, seed);
-  const float load = std::clamp((0.25f + 0.75f * uniform(3)) * 0.75f * lateral, 0.0f, 1.0f);
+  const float load =
+      std::clamp((0.25f + 0.75f * uniform(3)) * 0.6f * lateral * side_ridge(v), 0.0f, 1.0f);
 
   const int size = map.width();
   const auto texel = [&](float x) { return (x + 1) * 0.5f * static_cast<float>(size) - 0.5f; };
@@ -155,6 +161,14 @@ TipExtent tip_extent(TipShape shape) {
       break;
   }
   return {1, 1};
+}
+
+float hair_grip(TipShape shape, float v, std::uint64_t seed) {
+  if (shape == TipShape::kKnife || shape == TipShape::kTexture) return 1;
+  const float wave = 0.65f * noise(v * 7, seed, 4) + 0.35f * noise(v * 19, seed, 5);
+  // Hairs hold on or slide, with little between.
+  const float sharp = smooth_step(0.2f, 0.8f, wave);
+  return 2 * sharp;
 }
 
 Field<float> draw_tip(const BrushDefinition& brush, int size, std::uint64_t seed) {

@@ -21,4 +21,9 @@ TipExtent tip_extent(TipShape shape);
 /// hairs. kTexture: the brush's own texture, resampled; its mean is kept.
 Field<float> draw_tip(const BrushDefinition& brush, int size, std::uint64_t seed);
 
+/// How strongly the hairs at v (in halves of the diameter) take hold of the paint they meet, 1 on
+/// average, in [0, 2]: clumps of hair lift and stir more than what lies between them, so that wet
+/// colours streak instead of blending evenly. A blade and a texture are even: 1.
+float hair_grip(TipShape shape, float v, std::uint64_t seed);
+
 }  // namespace pentimento

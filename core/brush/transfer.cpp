@@ -31,6 +31,7 @@ float share_over(float frac, double lengths) {
 /// What is the same for all cells of a stamp.
 struct Transfer::Plan {
   const Stamp* stamp = nullptr;
+  const Tip* tip = nullptr;
   const TipLevel* level = nullptr;
   const PaintLoad* load = nullptr;
   const Reservoir* reservoir = nullptr;
@@ -86,6 +87,7 @@ void Transfer::apply(const Stamp& stamp, const BrushInHand& hand, const Model& m
   plan.box = box_of(plan.pose, plan.extent, geometry);
   if (plan.box.empty()) return;
   plan.stamp = &stamp;
+  plan.tip = &hand.tip;
   plan.level = &hand.tip.level_for(cell_m / plan.pose.diameter_m);
   plan.load = &hand.load;
   plan.reservoir = &reservoir;
@@ -183,7 +185,8 @@ void Transfer::measure_rows(const Plan& plan, int begin, int end) {
       float s = plan.level->at(tip.u(x), tip.v(x));
       if (s < kFaintest) s = 0;
       weight_[at + static_cast<std::size_t>(x)] = s;
-      touch_[at + static_cast<std::size_t>(x)] = std::min(1.0f, s / plan.mean);
+      touch_[at + static_cast<std::size_t>(x)] =
+          std::min(1.0f, s / plan.mean) * plan.tip->grip(tip.v(x));
       const double value = static_cast<double>(s);
       sums.value += value;
       sums.value_height += value * static_cast<double>(base[x] + depth[x]);
@@ -259,7 +262,7 @@ void Transfer::lay_rows(const Plan& plan, int begin, int end) {
       plan.reservoir->sample(tip.u(static_cast<int>(x)), tip.v(static_cast<int>(x)), paint);
       const float content = load.content_of(paint);
       const float surplus = std::max(0.0f, content - load.content_m);
-      const float back = plan.return_frac * share / weight_[at + x] * touch_[at + x] * surplus;
+      const float back = plan.return_frac * share * surplus / std::max(weight_[at + x], plan.mean);
       const float film = plan.film_rate * share * std::min(content, load.content_m);
       const float part = content > 0 ? (film + back) / content : 0.0f;
       for (int k = 0; k < plan.stride; ++k) paint[k] *= part;

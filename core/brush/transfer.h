@@ -79,7 +79,7 @@ class Transfer {
   // Scratch of one stamp, over its box.
   std::vector<float> weight_;  // value of the tip per cell
   std::vector<float> share_;   // the same after contact levelling
-  std::vector<float> touch_;   // min(1, value / mean) per cell
+  std::vector<float> touch_;   // how hard the hairs hold, [0,2] per cell
   std::vector<float> paint_;   // lifted, then laid: `stride` floats per cell
   std::vector<float> gathered_;
   std::vector<double> row_paint_;  // `parts_` per row

@@ -48,7 +48,7 @@ void lift_row(const Lift& lift, const LayerRow& row, std::span<const float> weig
   for (std::size_t i = 0; i < weight.size(); ++i) {
     float* out = lifted + static_cast<std::ptrdiff_t>(i) * stride;
     std::fill_n(out, stride, 0.0f);
-    const float share = lift.share_frac * weight[i];
+    const float share = std::min(1.0f, lift.share_frac * weight[i]);
     if (share > 0) lift_cell(lift, row, static_cast<int>(i), share, depth_m[i], out, sums);
   }
 }

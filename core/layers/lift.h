@@ -18,10 +18,10 @@ struct Lift {
 float reach_weight(float reach_frac, int layer, int occupied);
 
 /// Lifts from the cells of a row.
-///   P_k -= share w_k weight P_k,  d -= share mean(w_k) weight d
+///   P_k -= f w_k P_k,  d -= f mean(w_k) d,  f = min(1, share weight)
 ///   lifted[x] = (height, channels) that left; sums = the same over the row, in double: exactly
 ///   what the planes lost (height first)
-/// Scheme: pointwise. Stability: share, weight in [0,1] leave everything >= 0.
+/// Scheme: pointwise. Stability: f, w_k in [0,1] leave everything >= 0.
 /// Source: R22, R23; A20 (what the brush gains leaves the canvas, pigment and its share of medium).
 /// Departs from it: the residue of R19 is not lifted.
 /// `weight`, `depth_m`: one value per cell; `lifted`: `stride` floats per cell.

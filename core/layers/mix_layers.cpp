@@ -1,5 +1,7 @@
 #include "core/layers/mix_layers.h"
 
+#include <algorithm>
+
 namespace pentimento {
 
 namespace {
@@ -26,7 +28,7 @@ void mix_cell(const LayerRow& row, int x, float m, float residue) {
 void mix_layers_row(const MixLayers& mix, const LayerRow& row, std::span<const float> weight) {
   if (row.layers < 2) return;
   for (std::size_t i = 0; i < weight.size(); ++i) {
-    const float m = mix.exchange_frac * weight[i];
+    const float m = std::min(0.5f, mix.exchange_frac * weight[i]);
     if (m > 0) mix_cell(row, static_cast<int>(i), m, mix.residue);
   }
 }

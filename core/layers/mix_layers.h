@@ -13,7 +13,8 @@ struct MixLayers {
 };
 
 /// One pass over the cells of a row, layers 0 .. top of each cell.
-///   P_k += m [(P_{k+1} - P_k) + (P_{k-1} - P_k)], m = exchange weight; no flux past the ends
+///   P_k += m [(P_{k+1} - P_k) + (P_{k-1} - P_k)], m = min(1/2, exchange weight); no flux past the
+///   ends
 /// Scheme: explicit, all fluxes from the values before. Stability: m <= 1/2 (keeps P >= 0); in the
 /// limit all layers hold the same. Source: R28, A24.
 /// Departs from it: the residue of R19 does not leave the bottom layer.

@@ -281,7 +281,7 @@ TEST(Simulation, AClearStrokeOverColourDirtiesTheBrushAndRefillCleansIt) {
   // Four diameters on, at 40 % of the difference per diameter, 0.6^4.25 = 0.11 is left; what the
   // brush lifts of its own trail adds to it.
   EXPECT_LT(red(0.16), 0.25 * red(0.075));
-  EXPECT_EQ(red(0.03), 0);  // clean before it
+  EXPECT_EQ(red(0.022), 0);  // clean before it
 }
 
 TEST(Simulation, ADryCanvasDriesTheBrushAWetOneDoesNot) {

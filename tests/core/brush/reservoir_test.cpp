@@ -1,0 +1,109 @@
+#include "core/brush/reservoir.h"
+
+#include <gtest/gtest.h>
+
+#include "core/brush/builtin_brushes.h"
+#include "core/brush/gather.h"
+
+namespace pentimento {
+namespace {
+
+PaintLoad load_of(float height_m, float amount) {
+  PaintLoad load;
+  load.paint = {height_m, amount, 0};
+  load.amount = {1, 1};
+  load.height_per_amount_m = 0.05f;
+  load.content_m = load.content_of(load.paint.data());
+  return load;
+}
+
+TEST(Reservoir, RefillGoesAShareOfTheWay) {
+  const Tip tip(*builtin_brush("round"));
+  Reservoir reservoir(2);
+  reservoir.fill(load_of(0.002f, 0.04f));
+  PaintLoad other = load_of(0.002f, 0);
+  other.paint[2] = 0.04f;
+  other.content_m = other.content_of(other.paint.data());
+  reservoir.refill(other, tip, 0.25f);
+  const float* middle = reservoir.texel(kReservoirSide * (kReservoirSide / 2) + kReservoirSide / 2);
+  EXPECT_FLOAT_EQ(middle[1], 0.03f);
+  EXPECT_FLOAT_EQ(middle[2], 0.01f);
+  EXPECT_FLOAT_EQ(middle[0], 0.002f);
+}
+
+TEST(Reservoir, RefillKeepsWhatWasLiftedAsVolume) {
+  const Tip tip(*builtin_brush("round"));
+  Reservoir reservoir(2);
+  const PaintLoad load = load_of(0.002f, 0.04f);
+  reservoir.fill(load_of(0.006f, 0.12f));  // three loads
+  reservoir.refill(load, tip, 0.5f);
+  const float* middle = reservoir.texel(kReservoirSide * (kReservoirSide / 2) + kReservoirSide / 2);
+  EXPECT_FLOAT_EQ(load.content_of(middle), 3 * load.content_m);
+}
+
+TEST(Reservoir, DroppingTheSurplusEndsAtTheLoad) {
+  const Tip tip(*builtin_brush("round"));
+  Reservoir reservoir(2);
+  const PaintLoad load = load_of(0.002f, 0.04f);
+  reservoir.fill(load_of(0.006f, 0.12f));
+  EXPECT_GT(reservoir.weighted_surplus(load, tip), 0);
+  for (int i = 0; i < 4000; ++i) reservoir.drop_surplus(load, tip, 0.05f);
+  const float* middle = reservoir.texel(kReservoirSide * (kReservoirSide / 2) + kReservoirSide / 2);
+  EXPECT_NEAR(middle[0], 0.002f, 1e-8f);
+  EXPECT_NEAR(middle[1], 0.04f, 1e-7f);
+}
+
+TEST(Reservoir, SamplesBetweenTexels) {
+  Reservoir reservoir(2);
+  reservoir.texel(0)[0] = 1;
+  reservoir.texel(1)[0] = 3;
+  std::vector<float> out(static_cast<std::size_t>(reservoir.stride()));
+  reservoir.sample(1.0f / kReservoirSide - 0.5f, -0.5f, out.data());
+  EXPECT_NEAR(out[0], 2, 1e-5);
+}
+
+TEST(Gather, TheBrushGainsPerAreaWhatTheCanvasLost) {
+  const BrushDefinition brush = *builtin_brush("round");
+  const Tip tip(brush);
+  const CanvasGeometry geometry{100, 75, 0.2, 0.15};
+  Stamp stamp;
+  stamp.x_m = 0.1;
+  stamp.y_m = 0.07;
+  for (const float diameter_m : {0.004f, 0.03f, 0.1f}) {
+    stamp.diameter_m = diameter_m;
+    const TipPose pose = pose_of(stamp, brush, 0);
+    const CellBox box = box_of(pose, tip.extent(), geometry);
+    std::vector<float> lifted(static_cast<std::size_t>(box.width * box.height * 4), 0.0f);
+    std::vector<double> sum(3, 0.0);
+    for (std::size_t i = 0; i < lifted.size(); i += 4) {
+      lifted[i] = 1e-5f * static_cast<float>(1 + i % 7);
+      lifted[i + 1] = 1e-3f * static_cast<float>(i % 3);
+      sum[0] += static_cast<double>(lifted[i]);
+      sum[1] += static_cast<double>(lifted[i + 1]);
+    }
+    Reservoir reservoir(2);
+    std::vector<float> scratch;
+    gather_lifted({lifted, 4, sum}, pose, box, geometry, tip, reservoir, scratch);
+    double gained[3] = {0, 0, 0};
+    for (int i = 0; i < kReservoirSide * kReservoirSide; ++i)
+      for (int k = 0; k < 3; ++k) gained[k] += static_cast<double>(reservoir.texel(i)[k]);
+    const double texel_area = static_cast<double>(diameter_m) * static_cast<double>(diameter_m) /
+                              (kReservoirSide * kReservoirSide);
+    for (int k = 0; k < 2; ++k)  // 1600 float texels: 1e-6
+      EXPECT_NEAR(
+          gained[k] * texel_area / (sum[static_cast<std::size_t>(k)] * geometry.cell_area_m2()), 1,
+          1e-6)
+          << diameter_m;
+    EXPECT_EQ(gained[2], 0);
+  }
+}
+
+TEST(BuiltinBrushes, AreTheFiveThatLogsMayName) {
+  EXPECT_EQ(builtin_brush_names(),
+            (std::vector<std::string>{"round", "flat", "filbert", "bristle", "knife"}));
+  for (const std::string& name : builtin_brush_names()) EXPECT_EQ(builtin_brush(name)->name, name);
+  EXPECT_FALSE(builtin_brush("broom").has_value());
+}
+
+}  // namespace
+}  // namespace pentimento
