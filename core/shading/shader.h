@@ -25,17 +25,23 @@ struct ShadeRequest {
   int crop_y = 0;
   int crop_width = 0;
   int crop_height = 0;
-  int tile = 1024;                // side of a tile without its border, <= 4096
+  int tile = 1024;                // side of a tile without its border; smaller where memory asks
   std::vector<std::string> aovs;  // groups: albedo normal height depth diffuse specular reflection
                                   // wet pigment
 };
 
 class Shader {
  public:
-  /// Opens the context. kAuto: OSMesa, then EGL. `gl_threads`: Mesa's own (0 = in the caller).
+  /// Opens the context. kAuto: OSMesa, then EGL. `gl_threads`: Mesa's own (0 = in the caller),
+  /// which it reads once per process. Sets environment variables: call it before other threads
+  /// start.
   static Result<std::unique_ptr<Shader>> open(GlBackend backend, int gl_threads);
   virtual ~Shader() = default;
-  /// Shades `state` into `sinks`, strip by strip. The first failing sink ends it.
+  /// Shades `state` into `sinks`, strip by strip; strips count rows from the top of the crop. The
+  /// first failing sink ends it. The lamp stands where `lighting` says: a lamp that follows gravity
+  /// is turned by the caller (optics/lamp.h). From any thread, one at a time.
+  /// Errors: kUsage (crop outside, unknown AOV, not three bands, over 8 channels), kLimit (no
+  /// memory for a tile), a sink's own.
   virtual Result<void> shade(const CanvasState& state, const ChannelBasis& basis,
                              const Model& model, const Lighting& lighting,
                              const ShadeRequest& request,

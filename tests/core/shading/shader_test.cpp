@@ -182,6 +182,19 @@ TEST(Shader, ACropIsThePartOfTheWhole) {
   }
 }
 
+/// Mesa has no texture wider than 16384: only what a tile needs is uploaded.
+TEST(Shader, ShadesStatesWiderThanAnyTexture) {
+  const auto shader = open();
+  Scene wide(20000, 3);
+  ShadeRequest r = request(20000, 3);
+  r.tile = 4000;
+  const WholePicture picture = wide.shade(*shader, r);
+  const ShadingReference twin(wide.state, wide.basis, wide.model, wide.lighting, 20000, 3);
+  for (const int x : {0, 3999, 4000, 4001, 15999, 16384, 19999}) {
+    EXPECT_NEAR(picture.at("R", x, 1), twin.pixel(x, 1).picture[0], kTwin) << x;
+  }
+}
+
 TEST(Shader, StripsComeInOrderAndAFailingSinkEndsIt) {
   struct Failing : PictureSink {
     int calls = 0;
