@@ -15,11 +15,16 @@ struct LiftedPaint {
   std::span<const double> sum;  // over the box: height, channels
 };
 
+/// Memory that gather_lifted keeps between calls.
+struct GatherScratch {
+  std::vector<float> paint;
+  std::vector<double> sum;
+};
+
 /// Each texel takes what was lifted under its centre (bilinear between cells); then each component
-/// is scaled so that the reservoir gains, per area, just what the canvas lost. `scratch` is
-/// resized to what is needed.
+/// is scaled so that the reservoir gains, per area, just what the canvas lost.
 void gather_lifted(const LiftedPaint& lifted, const TipPose& pose, const CellBox& box,
                    const CanvasGeometry& geometry, const Tip& tip, Reservoir& reservoir,
-                   std::vector<float>& scratch);
+                   GatherScratch& scratch);
 
 }  // namespace pentimento

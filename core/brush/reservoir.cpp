@@ -5,8 +5,9 @@
 namespace pentimento {
 
 namespace {
-constexpr int kPadding = 4;  // floats: a texel is whole vectors
-}
+constexpr int kPadding = 4;       // floats: a texel is whole vectors
+constexpr float kTrace = 1e-20f;  // less is nothing: subnormal numbers are slow
+}  // namespace
 
 Reservoir::Reservoir(int channels)
     : stride_((1 + channels + kPadding - 1) / kPadding * kPadding),
@@ -29,8 +30,8 @@ void Reservoir::sample(float u, float v, float* out) const {
   const float* b = a + stride_;
   const float* c = texel((j + 1) * kReservoirSide + i);
   const float* d = c + stride_;
-  const float wa = (1 - fx) * (1 - fy), wb = fx * (1 - fy), wc = (1 - fx) * fy, wd = fx * fy;
-  for (int k = 0; k < stride_; ++k) out[k] = wa * a[k] + wb * b[k] + wc * c[k] + wd * d[k];
+  blend_texels(a, b, c, d, {(1 - fx) * (1 - fy), fx * (1 - fy), (1 - fx) * fy, fx * fy}, stride_,
+               out);
 }
 
 void Reservoir::refill(const PaintLoad& load, const Tip& tip, float refill_frac) {
@@ -38,8 +39,10 @@ void Reservoir::refill(const PaintLoad& load, const Tip& tip, float refill_frac)
   for (const TipTexel& t : tip.texels()) {
     float* paint = texel(t.index);
     const float scale = std::max(1.0f, load.content_of(paint) / load.content_m);
-    for (std::size_t k = 0; k < load.paint.size(); ++k)
-      paint[k] += refill_frac * (load.paint[k] * scale - paint[k]);
+    for (std::size_t k = 0; k < load.paint.size(); ++k) {
+      const float mixed = paint[k] + refill_frac * (load.paint[k] * scale - paint[k]);
+      paint[k] = mixed < kTrace ? 0 : mixed;
+    }
   }
 }
 

@@ -4,6 +4,7 @@
 // pigment as a height too, so that paint of any thinness can be measured against a full load.
 // The palette supplies it without end: laying a film does not empty it, lifted paint adds to it.
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -26,6 +27,13 @@ struct PaintLoad {
     return paint_at[0] + height_per_amount_m * sum;
   }
 };
+
+/// out = w[0] a + w[1] b + w[2] c + w[3] d over `stride` floats, a whole number of fours.
+inline void blend_texels(const float* a, const float* b, const float* c, const float* d,
+                         const std::array<float, 4>& w, int stride, float* out) {
+  for (int k = 0; k < stride; k += 4)
+    for (int i = k; i < k + 4; ++i) out[i] = w[0] * a[i] + w[1] * b[i] + w[2] * c[i] + w[3] * d[i];
+}
 
 class Reservoir {
  public:

@@ -10,6 +10,7 @@
 
 #include "core/brush/brush_settings.h"
 #include "core/brush/footprint.h"
+#include "core/brush/gather.h"
 #include "core/brush/reservoir.h"
 #include "core/brush/stamp.h"
 #include "core/brush/tip.h"
@@ -81,7 +82,7 @@ class Transfer {
   std::vector<float> share_;   // the same after contact levelling
   std::vector<float> touch_;   // how hard the hairs hold, [0,2] per cell
   std::vector<float> paint_;   // lifted, then laid: `stride` floats per cell
-  std::vector<float> gathered_;
+  GatherScratch gathered_;
   std::vector<double> row_paint_;  // `parts_` per row
   std::vector<double> paint_sum_;
   std::vector<RowSums> row_;

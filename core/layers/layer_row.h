@@ -40,11 +40,13 @@ struct LayerRow {
   }
 };
 
-/// The planes of a state, to be looked at row by row. Valid while the state's planes are not
-/// replaced.
+/// The planes of a state, to be looked at row by row. Valid until a plane of the state is replaced
+/// (a fluid scheme may swap them); then find() again.
 class LayerPlanes {
  public:
   LayerPlanes(CanvasState& state, std::span<const float> amount);
+  /// Looks the planes up again; the state has the same layers and channels. Allocates nothing.
+  void find(CanvasState& state);
   /// Row y, its cell 0 being the grid's cell (x, y).
   LayerRow row(int x, int y) const;
 

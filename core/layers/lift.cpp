@@ -11,9 +11,13 @@ float mobile_share(const LayerRow& row, int x, float residue) {
   return total > residue ? (total - residue) / total : 0.0f;
 }
 
+/// Less than this is lifted whole, before it fades into subnormal numbers, which are slow.
+constexpr float kTrace = 1e-20f;
+
 /// Takes `share` of `value`, into `taken` and, exactly, into `sum`.
 void take(float share, float& value, float& taken, double& sum) {
-  const float left = value - share * value;
+  const float rest = value - share * value;
+  const float left = rest < kTrace ? 0 : rest;
   taken += value - left;
   sum += static_cast<double>(value) - static_cast<double>(left);
   value = left;

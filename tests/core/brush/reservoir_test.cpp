@@ -82,7 +82,7 @@ TEST(Gather, TheBrushGainsPerAreaWhatTheCanvasLost) {
       sum[1] += static_cast<double>(lifted[i + 1]);
     }
     Reservoir reservoir(2);
-    std::vector<float> scratch;
+    GatherScratch scratch;
     gather_lifted({lifted, 4, sum}, pose, box, geometry, tip, reservoir, scratch);
     double gained[3] = {0, 0, 0};
     for (int i = 0; i < kReservoirSide * kReservoirSide; ++i)
