@@ -7,7 +7,7 @@
 
 #include <vector>
 
-#include "core/fluid/conservative/runs.h"
+#include "core/fluid/conservative/bands.h"
 #include "core/fluid/conservative/work_plane.h"
 #include "core/threads.h"
 
@@ -37,14 +37,16 @@ class Multigrid {
  private:
   struct Level {
     WorkPlane cx, cy, z, inverse, rhs, x, other;
-    std::vector<Run> runs;
+    RunIndex index;
   };
+  Level& level(int l) { return levels_[static_cast<std::size_t>(l)]; }
   void prepare(int levels, const Threads& threads);
-  void cycle(int level, int levels, const Threads& threads);
-  void smooth(Level& level, const Threads& threads);
-  void smooth_from_zero(Level& level, const Threads& threads);
-  void restrict_residual(Level& fine, Level& coarse, const Threads& threads);
-  void add_correction(Level& fine, Level& coarse, const Threads& threads);
+  void coarse_cycle(int l, int levels, const Threads& threads);
+  void start(Level& fine, const Threads& threads);
+  void descend(Level& here, const Threads& threads);
+  void bottom(Level& here, const Threads& threads);
+  void ascend(Level& here, Level& coarse, bool and_descend, const Threads& threads);
+  void restrict_residual(const Level& fine, Level& coarse, const Threads& threads);
 
   std::vector<Level> levels_;
 };
