@@ -5,6 +5,7 @@
 #include "core/fluid/conservative/face_row.h"
 #include "core/fluid/conservative/force_row.h"
 #include "core/fluid/conservative/height_row.h"
+#include "core/fluid/conservative/kernel.h"
 #include "core/fluid/conservative/settle_quanta.h"
 #include "core/fluid/conservative/transport.h"
 #include "core/fluid/conservative/viscous_row.h"
@@ -21,6 +22,15 @@ float cap_of(const Model& model) {
 
 float positive(float x) {
   return x > 0 ? x : 0.0f;
+}
+
+PENTIMENTO_KERNEL
+float highest_row(const float* value, int n, float highest) {
+  for (int i = 0; i < n; ++i) {
+    const float size = value[i] < 0 ? -value[i] : value[i];
+    highest = size > highest ? size : highest;
+  }
+  return highest;
 }
 
 FaceRow faces_at(NodePlanes& n, int x, int y) {
@@ -219,13 +229,12 @@ void ConservativeScheme::account(const CanvasState& state, const StepInput& in) 
   in.threads.for_ranges(0, static_cast<int>(awake.size()), 16, [&](int begin, int end) {
     for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
       const CellBox b = tiles_->box(awake[k]);
-      for (int y = b.y0; y < b.y1; ++y)
-        for (int x = b.x0; x < b.x1; ++x) {
-          depth[k] = std::max(depth[k], state.depth_m(x, y));
-          const float u = state.velocity_x_m_s(x, y);
-          const float v = state.velocity_y_m_s(x, y);
-          speed[k] = std::max({speed[k], u, -u, v, -v});
-        }
+      for (int y = b.y0; y < b.y1; ++y) {
+        const int n = b.x1 - b.x0;
+        depth[k] = highest_row(state.depth_m.row(y) + b.x0, n, depth[k]);
+        speed[k] = highest_row(state.velocity_x_m_s.row(y) + b.x0, n, speed[k]);
+        speed[k] = highest_row(state.velocity_y_m_s.row(y) + b.x0, n, speed[k]);
+      }
     }
   });
   for (const float s : speed) speed_max_m_s_ = std::max(speed_max_m_s_, static_cast<double>(s));

@@ -9,6 +9,7 @@ void height_rhs_row(const FluxRow& f, const float* __restrict height_m, float dt
                     float dt_per_dy, int n, float* __restrict rhs) {
   const float* __restrict dx = f.depth_x;
   const float* __restrict ux = f.velocity_x;
+  PENTIMENTO_INDEPENDENT
   for (int i = 0; i < n; ++i) {
     const float out_x = dx[i] * ux[i] - dx[i - 1] * ux[i - 1];
     const float out_y =
@@ -24,6 +25,7 @@ void crowding_row(const Crowding& c, const float* __restrict depth_m,
   const float from = c.from_m;
   const float most = c.most_m_s2;
   const float per_m = most / c.range_m;
+  PENTIMENTO_INDEPENDENT
   for (int i = 0; i < n; ++i) {
     const float to_come = rhs[i] - base_m[i];
     const float depth = depth_m[i] > to_come ? depth_m[i] : to_come;
@@ -36,6 +38,7 @@ void crowding_row(const Crowding& c, const float* __restrict depth_m,
 PENTIMENTO_KERNEL
 void pressure_row(const PressureRow& f, float dt_gravity_m_s, float dt_s, float dt_per_dx2, int n,
                   float* __restrict pressure_m_s, float* __restrict coupling) {
+  PENTIMENTO_INDEPENDENT
   for (int i = 0; i < n; ++i) {
     const float crowding = f.crowding_a[i] > f.crowding_b[i] ? f.crowding_a[i] : f.crowding_b[i];
     const float k = f.friction_frac[i] * (dt_gravity_m_s * f.mobility_frac[i] + dt_s * crowding);
@@ -51,6 +54,7 @@ void finish_row(const FinishLimits& limits, const float* __restrict depth_m,
                 float* __restrict velocity_m_s) {
   const float cap = limits.cap_m_s;
   const float threshold = limits.threshold_m_s;
+  PENTIMENTO_INDEPENDENT
   for (int i = 0; i < n; ++i) {
     const float free = velocity_m_s[i] - pressure_m_s[i] * ((height_b[i] - height_a[i]) * per_dx);
     const float below = free < cap ? free : cap;

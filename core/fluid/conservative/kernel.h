@@ -10,3 +10,12 @@
 #else
 #define PENTIMENTO_KERNEL
 #endif
+
+// Before a loop: its iterations are independent of one another, whatever the pointers look like.
+#if defined(__clang__)
+#define PENTIMENTO_INDEPENDENT _Pragma("clang loop vectorize(assume_safety)")
+#elif defined(__GNUC__)
+#define PENTIMENTO_INDEPENDENT _Pragma("GCC ivdep")
+#else
+#define PENTIMENTO_INDEPENDENT
+#endif

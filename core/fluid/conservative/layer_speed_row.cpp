@@ -11,6 +11,7 @@ void layer_speed_row(const LayerSpeed& p, const float* __restrict layers_a,
   const auto below = static_cast<float>(p.layer);  // n > k: the cell has layer k
   const float middle = below + 0.5f;
   const float speed = p.speed;
+  PENTIMENTO_INDEPENDENT
   for (int e = 0; e < edges; ++e) {
     const float a = layers_a[e];
     const float b = layers_b[e];

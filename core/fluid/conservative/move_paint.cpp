@@ -28,6 +28,7 @@ class PaintMover {
     scratch_.resize(b.cells(), b.step());
     for (std::vector<float>* v : {&flow_, &push_}) v->assign(plan_.edge.size(), 0);
     for (std::vector<float>* v : {&occupied_, &share_, &held_}) v->assign(n, 0);
+    present_.resize(state_.pigment.size());
     fill_displacements(b);
     count_layers(b);
     move_depth(b);
@@ -53,11 +54,16 @@ class PaintMover {
     });
   }
 
-  // occupied_ = highest layer with pigment, counted from 1. Also the share of layer 0 that moves.
+  // occupied_ = highest layer with pigment, counted from 1; present_ = the channels that are in the
+  // block at all; share_ = the share of layer 0 that moves.
   void count_layers(const Block& b) {
     for (int layer = 0; layer < state_.layers; ++layer) {
       for (int c = 0; c < state_.channels; ++c) {
         load_block(b, state_.channel(layer, c), held_.data());
+        float most = 0;
+        for (const float amount : held_) most = amount > most ? amount : most;
+        present_[at(layer * state_.channels + c)] = most > 0;
+        if (!(most > 0)) continue;
         const auto count = static_cast<float>(layer + 1);
         for (std::size_t i = 0; i < held_.size(); ++i)
           occupied_[i] = held_[i] > 0 ? count : occupied_[i];
@@ -93,6 +99,7 @@ class PaintMover {
     plan_remap(plan_);
     float* value = scratch_.cells(scratch_.value, plan_.step);
     for (int c = 0; c < state_.channels; ++c) {
+      if (!present_[at(layer * state_.channels + c)]) continue;
       Field<float>& plane = state_.channel(layer, c);
       load_block(b, plane, value);
       if (layer == 0) hold_residue(value);
@@ -120,6 +127,7 @@ class PaintMover {
   RemapPlan plan_;
   RemapScratch scratch_;
   std::vector<float> flow_, push_;              // displacement of edges, in cells
+  std::vector<bool> present_;
   std::vector<float> occupied_, share_, held_;  // of cells
 };
 

@@ -17,18 +17,25 @@ void viscous_row(const ViscousNodes& nodes, float per_dx2, float per_dy2, int n,
   float* __restrict z = out.zero_order;
   float* __restrict rhs = out.rhs;
   float* __restrict solution = out.solution;
+  const float* __restrict velocity = nodes.velocity_m_s;
+  PENTIMENTO_INDEPENDENT
   for (int i = 0; i < n; ++i) {
+    const float left = depth[i - 1];
+    const float right = depth[i + 1];
+    const float up = above[i];
+    const float down = below[i];
     const bool wet = depth[i] > 0;
-    const float own_x = wet ? per_dx2 * nu[i] : 0.0f;
-    const float own_y = wet ? per_dy2 * nu[i] : 0.0f;
-    const float other_x = per_dx2 * nu[i + 1];
-    const float other_y = per_dy2 * nu_below[i];
-    cx[i] = depth[i + 1] > 0 && wet ? 0.5f * (own_x + other_x) : 0.0f;
-    cy[i] = below[i] > 0 && wet ? 0.5f * (own_y + other_y) : 0.0f;
-    const float held_x = (depth[i - 1] == 0 ? own_x : 0.0f) + (depth[i + 1] == 0 ? own_x : 0.0f);
-    const float held_y = (above[i] == 0 ? own_y : 0.0f) + (below[i] == 0 ? own_y : 0.0f);
+    const float nu_wet = nu[i] * (wet ? 1.0f : 0.0f);
+    const float own_x = per_dx2 * nu_wet;
+    const float own_y = per_dy2 * nu_wet;
+    const float joint_x = 0.5f * (own_x + per_dx2 * nu[i + 1]);
+    const float joint_y = 0.5f * (own_y + per_dy2 * nu_below[i]);
+    const float held_x = (left == 0 ? own_x : 0.0f) + (right == 0 ? own_x : 0.0f);
+    const float held_y = (up == 0 ? own_y : 0.0f) + (down == 0 ? own_y : 0.0f);
+    const float u = velocity[i] * (wet ? 1.0f : 0.0f);
+    cx[i] = joint_x * (wet & (right > 0) ? 1.0f : 0.0f);
+    cy[i] = joint_y * (wet & (down > 0) ? 1.0f : 0.0f);
     z[i] = 1 + (held_x + held_y);
-    const float u = wet ? nodes.velocity_m_s[i] : 0.0f;
     rhs[i] = u;
     solution[i] = u;
   }
