@@ -168,10 +168,12 @@ void Simulation::set_model(const Model& model) {
   PENTIMENTO_CHECK(model.scheme == impl_->model.scheme && model.layers == impl_->model.layers);
   impl_->model = model;
   impl_->find_load();
+  impl_->state.sleep.clear();  // what rested may not rest under other parameters
 }
 
 void Simulation::dry() {
   dry_canvas(impl_->state, impl_->setup.basis, impl_->model, impl_->threads, impl_->account.dried);
+  impl_->state.sleep.clear();
 }
 
 void Simulation::clear() {

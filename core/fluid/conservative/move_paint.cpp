@@ -126,7 +126,7 @@ class PaintMover {
   RemapOptions depth_, amount_;
   RemapPlan plan_;
   RemapScratch scratch_;
-  std::vector<float> flow_, push_;              // displacement of edges, in cells
+  std::vector<float> flow_, push_;  // displacement of edges, in cells
   std::vector<bool> present_;
   std::vector<float> occupied_, share_, held_;  // of cells
 };

@@ -133,13 +133,12 @@ void Multigrid::bottom(Level& here, const Threads& threads) {
 
 // Adds the coarse correction and smooths; then, if asked, what start() does.
 void Multigrid::ascend(Level& here, Level& coarse, bool and_descend, const Threads& threads) {
-  for_bands(threads, here.index, here.x.width(), and_descend ? 6 : 3,
-            [&](int stage, const Run& r) {
-              if (stage == 0) add_correction(here, coarse, r);
-              if (stage == 1 || stage == 3) sweep(here, r, here.x, here.other, kWeightA);
-              if (stage == 2 || stage == 4) sweep(here, r, here.other, here.x, kWeightB);
-              if (stage == 5) leave_residual(here, r);
-            });
+  for_bands(threads, here.index, here.x.width(), and_descend ? 6 : 3, [&](int stage, const Run& r) {
+    if (stage == 0) add_correction(here, coarse, r);
+    if (stage == 1 || stage == 3) sweep(here, r, here.x, here.other, kWeightA);
+    if (stage == 2 || stage == 4) sweep(here, r, here.other, here.x, kWeightB);
+    if (stage == 5) leave_residual(here, r);
+  });
 }
 
 void Multigrid::restrict_residual(const Level& fine, Level& coarse, const Threads& threads) {
