@@ -12,23 +12,23 @@ namespace pentimento {
 /// Of one picture channel or one dataset.
 struct PlaneDifference {
   std::string name;
-  double max = 0;         // largest |a - b|; infinite where only one side is finite
-  double rms = 0;         // root of the mean of (a - b)^2
-  double psnr_db = 0;     // 20 log10(peak / rms), infinite where equal; peak: 1 for pictures, the
-                          // largest |a| for states
-  double differing = 0;   // share of values that differ, 0..1
+  double max = 0;        // largest |a - b|; infinite where only one side is finite
+  double rms = 0;        // root of the mean of (a - b)^2
+  double psnr_db = 0;    // 20 log10(peak / rms), infinite where equal; peak: 1 for pictures, the
+                         // largest |a| for states
+  double differing = 0;  // share of values that differ, 0..1
   std::int64_t values = 0;
-  int max_x = -1;         // where the largest difference is; -1 = nowhere
+  int max_x = -1;  // where the largest difference is; -1 = nowhere
   int max_y = -1;
 };
 
 /// What is allowed. Nothing set: not a single value may differ.
 struct CompareThresholds {
-  std::optional<double> max;        // of each plane
-  std::optional<double> rms;        // of each plane
-  std::optional<double> psnr_db;    // at least this, of each plane
-  std::optional<double> differing;  // share of each plane
-  std::optional<double> flip;       // mean FLIP of pictures
+  std::optional<double> max = std::nullopt;        // of each plane
+  std::optional<double> rms = std::nullopt;        // of each plane
+  std::optional<double> psnr_db = std::nullopt;    // at least this, of each plane
+  std::optional<double> differing = std::nullopt;  // share of each plane
+  std::optional<double> flip = std::nullopt;       // mean FLIP of pictures
   bool any() const { return max || rms || psnr_db || differing || flip; }
 };
 
@@ -36,8 +36,8 @@ struct Comparison {
   std::string a, b;                     // the files
   std::string kind;                     // "picture" or "state"
   std::vector<PlaneDifference> planes;  // what both have
-  std::vector<std::string> notes;  // what cannot be compared: sizes, missing planes, parameters
-  bool comparable = true;          // false: a note alone makes them differ
+  std::vector<std::string> notes;   // what cannot be compared: sizes, missing planes, parameters
+  bool comparable = true;           // false: a note alone makes them differ
   std::optional<double> flip_mean;  // pictures only
   std::optional<double> flip_max;
   bool equal = false;  // within the thresholds

@@ -1,0 +1,89 @@
+#include <fmt/format.h>
+
+#include "formats/image/srgb.h"
+#include "replay/compare/compare.h"
+#include "replay/compare/flip.h"
+#include "replay/compare/plane_difference.h"
+
+namespace pentimento {
+
+namespace {
+
+Field<float> mapped(const Field<float>& plane, double (*curve)(double)) {
+  Field<float> out(plane.width(), plane.height());
+  for (int y = 0; y < plane.height(); ++y)
+    for (int x = 0; x < plane.width(); ++x)
+      out(x, y) = static_cast<float>(curve(static_cast<double>(plane(x, y))));
+  return out;
+}
+
+/// Stored codes of an integer picture, from the linear light it was read as.
+Field<float> stored_values(const Field<float>& plane, bool is_alpha) {
+  return is_alpha ? plane.clone() : mapped(plane, linear_to_srgb);
+}
+
+/// The planes that FLIP compares: R, G, B, or Y three times; nothing if there is no colour.
+std::optional<RgbPlanes> rgb_planes(const Image& image) {
+  const Field<float>* grey = image.find("Y");
+  const std::array<const Field<float>*, 3> rgb = {image.find("R"), image.find("G"),
+                                                  image.find("B")};
+  if (rgb[0] != nullptr && rgb[1] != nullptr && rgb[2] != nullptr)
+    return RgbPlanes{rgb[0]->view(), rgb[1]->view(), rgb[2]->view()};
+  if (grey == nullptr) return std::nullopt;
+  return RgbPlanes{grey->view(), grey->view(), grey->view()};
+}
+
+void add_flip(const Image& a, const Image& b, const Threads& threads, Comparison& out) {
+  const auto left = rgb_planes(a), right = rgb_planes(b);
+  if (!left || !right) return;
+  const Field<float> map = flip_map(*left, *right, kFlipPixelsPerDegree, threads);
+  double sum = 0, largest = 0;
+  for (int y = 0; y < map.height(); ++y)
+    for (int x = 0; x < map.width(); ++x) {
+      const double v = static_cast<double>(map(x, y));
+      sum += v;
+      largest = v > largest ? v : largest;
+    }
+  out.flip_mean = sum / (static_cast<double>(map.width()) * map.height());
+  out.flip_max = largest;
+}
+
+void note_missing(const Image& a, const Image& b, const char* where, Comparison& out) {
+  for (const std::string& name : a.name)
+    if (b.find(name) == nullptr) {
+      out.notes.push_back(fmt::format("channel {} is missing in the {} picture", name, where));
+      out.comparable = false;
+    }
+}
+
+}  // namespace
+
+Comparison compare_pictures(const Image& a, const Image& b, const Threads& threads) {
+  Comparison out;
+  out.kind = "picture";
+  if (a.width != b.width || a.height != b.height) {
+    out.notes.push_back(
+        fmt::format("{} x {} pixels against {} x {}", a.width, a.height, b.width, b.height));
+    out.comparable = false;
+    return out;
+  }
+  note_missing(a, b, "second", out);
+  note_missing(b, a, "first", out);
+  const bool as_stored = !a.stored_float && !b.stored_float;
+  for (std::size_t c = 0; c < a.plane.size(); ++c) {
+    const Field<float>* other = b.find(a.name[c]);
+    if (other == nullptr) continue;
+    if (as_stored) {
+      const bool alpha = a.name[c] == "A";
+      const Field<float> left = stored_values(a.plane[c], alpha);
+      const Field<float> right = stored_values(*other, alpha);
+      out.planes.push_back(plane_difference(a.name[c], left.view(), right.view(), 1));
+    } else {
+      out.planes.push_back(plane_difference(a.name[c], a.plane[c].view(), other->view(), 1));
+    }
+  }
+  add_flip(a, b, threads, out);
+  return out;
+}
+
+}  // namespace pentimento

@@ -1,0 +1,18 @@
+#pragma once
+// Separable convolution with edge pixels continued outwards. Pictures only, never the state.
+
+#include <vector>
+
+#include "core/field.h"
+#include "core/threads.h"
+
+namespace pentimento {
+
+/// Weights of 2 r + 1 neighbours, the centre at r.
+using Taps = std::vector<double>;
+
+/// Along x with `across`, then along y with `down`.
+Field<float> convolve(FieldView<const float> in, const Taps& across, const Taps& down,
+                      const Threads& threads);
+
+}  // namespace pentimento

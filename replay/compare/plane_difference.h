@@ -1,0 +1,22 @@
+#pragma once
+// One plane against another.
+
+#include <string>
+
+#include "core/field.h"
+#include "replay/compare/comparison.h"
+
+namespace pentimento {
+
+/// Largest and root mean square difference, PSNR against `peak`, share of values that differ.
+/// Planes have the same size.
+PlaneDifference plane_difference(const std::string& name, FieldView<const float> a,
+                                 FieldView<const float> b, double peak);
+/// The same for ids.
+PlaneDifference plane_difference(const std::string& name, FieldView<const std::uint32_t> a,
+                                 FieldView<const std::uint32_t> b, double peak);
+
+/// Largest |value|, for the peak of a state's dataset.
+double largest_value(FieldView<const float> plane);
+
+}  // namespace pentimento
