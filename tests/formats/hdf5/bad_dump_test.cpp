@@ -1,0 +1,210 @@
+// What read_state() refuses, and that nothing makes it crash.
+
+#include <gtest/gtest.h>
+#include <hdf5.h>
+
+#include <cmath>
+#include <functional>
+
+#include "formats/hdf5/handle.h"
+#include "formats/hdf5/state_dump.h"
+#include "formats/io/provenance.h"
+#include "tests/formats/hdf5/made_up_dump.h"
+#include "tests/formats/scratch.h"
+
+namespace pentimento {
+namespace {
+
+using hdf5::Handle;
+using test::made_up_dump;
+using test::Scratch;
+
+/// A small dump, changed through HDF5's own functions, and what reading it says.
+class BadDump : public testing::Test {
+ protected:
+  void SetUp() override {
+    ASSERT_TRUE(write_state(path_, made_up_dump(9, 7, 2, 3), {}));
+    ASSERT_TRUE(read_state(path_));
+  }
+
+  /// Error message without the file's name; "fine" if there is none.
+  std::string after(const std::function<void(hid_t)>& change) {
+    {
+      const Handle file(H5Fopen(path_.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
+      change(file.id());
+    }
+    const auto dump = read_state(path_);
+    if (dump) return "fine";
+    code_ = dump.error().code;
+    EXPECT_EQ(dump.error().message.find(path_ + ": "), 0u) << dump.error().message;
+    return dump.error().message.substr(path_.size() + 2);
+  }
+
+  static void set_number(hid_t file, const char* name, double value) {
+    const Handle attribute(H5Aopen(file, name, H5P_DEFAULT), H5Aclose);
+    H5Awrite(attribute.id(), H5T_NATIVE_DOUBLE, &value);
+  }
+  static void set_float(hid_t file, const char* name, float value) {
+    const Handle dataset(H5Dopen2(file, name, H5P_DEFAULT), H5Dclose);
+    const hsize_t one = 1;
+    const hsize_t at[2] = {4, 5};
+    const Handle memory(H5Screate_simple(1, &one, nullptr), H5Sclose);
+    const Handle space(H5Dget_space(dataset.id()), H5Sclose);
+    H5Sselect_elements(space.id(), H5S_SELECT_SET, 1, at);
+    H5Dwrite(dataset.id(), H5T_NATIVE_FLOAT, memory.id(), space.id(), H5P_DEFAULT, &value);
+  }
+
+  const Scratch scratch_;
+  const std::string path_ = scratch_.path("a.h5");
+  ErrorCode code_ = ErrorCode::kIo;
+};
+
+TEST_F(BadDump, ANewerVersionIsNamed) {
+  EXPECT_EQ(after([](hid_t f) { set_number(f, "format_version", 2); }),
+            "format version 2 is newer than the 1 known here");
+  EXPECT_EQ(code_, ErrorCode::kBadInput);
+}
+
+TEST_F(BadDump, OtherHdf5IsNoDump) {
+  EXPECT_EQ(after([](hid_t f) { H5Adelete(f, "format"); }), "an HDF5 file, but not a state dump");
+}
+
+TEST_F(BadDump, AMissingDatasetIsNamed) {
+  EXPECT_EQ(after([](hid_t f) { H5Ldelete(f, "/canvas/base", H5P_DEFAULT); }),
+            "/canvas/base is missing");
+  EXPECT_EQ(after([](hid_t f) { H5Ldelete(f, "/fluid", H5P_DEFAULT); }), "/fluid/depth is missing");
+}
+
+TEST_F(BadDump, AMissingSmallDatasetIsNamed) {
+  EXPECT_EQ(after([](hid_t f) { H5Ldelete(f, "/lighting/sh", H5P_DEFAULT); }),
+            "/lighting/sh is missing or malformed");
+  EXPECT_EQ(after([](hid_t f) { H5Ldelete(f, "/palette/K", H5P_DEFAULT); }),
+            "/palette/K is missing or malformed");
+}
+
+TEST_F(BadDump, AMissingAttributeIsNamed) {
+  EXPECT_EQ(after([](hid_t f) { H5Adelete(f, "state_sha256"); }),
+            "state_sha256 is missing or malformed");
+  EXPECT_EQ(after([](hid_t f) { H5Adelete(f, "canvas_width_m"); }),
+            "canvas_width_m is missing or malformed");
+}
+
+TEST_F(BadDump, AShapeThatDoesNotFitIsNamed) {
+  EXPECT_EQ(after([](hid_t f) {
+              H5Lmove(f, "/canvas/reflectance", f, "/other", H5P_DEFAULT, H5P_DEFAULT);
+              H5Ldelete(f, "/canvas/paper", H5P_DEFAULT);
+              H5Lmove(f, "/other", f, "/canvas/paper", H5P_DEFAULT, H5P_DEFAULT);
+              H5Lcopy(f, "/canvas/paper", f, "/canvas/reflectance", H5P_DEFAULT, H5P_DEFAULT);
+            }),
+            "/canvas/paper has 3 dimensions, must have 2");
+}
+
+TEST_F(BadDump, AnotherSizeIsNamed) {
+  EXPECT_EQ(after([](hid_t f) {
+              H5Ldelete(f, "/canvas/paper", H5P_DEFAULT);
+              H5Lcopy(f, "/layers/K", f, "/canvas/paper", H5P_DEFAULT, H5P_DEFAULT);
+            }),
+            "/canvas/paper is 3 x 3, must be 7 x 9");
+}
+
+TEST_F(BadDump, AChangedValueIsFoundByTheHash) {
+  const std::string message = after([](hid_t f) { set_float(f, "/fluid/depth", 0.5f); });
+  EXPECT_EQ(message.find("its values have the hash "), 0u) << message;
+}
+
+TEST_F(BadDump, AValueThatIsNotFiniteIsNamed) {
+  EXPECT_EQ(after([](hid_t f) { set_float(f, "/canvas/base", INFINITY); }),
+            "/canvas/base has a value that is not finite in row 4");
+}
+
+TEST_F(BadDump, AParameterOutOfItsRangeIsNamed) {
+  const std::string message = after([](hid_t f) { set_number(f, "nu_max", -1); });
+  EXPECT_EQ(message.find("nu_max -1 is outside"), 0u) << message;
+}
+
+TEST_F(BadDump, AParameterThatJoinedLaterHasItsDefault) {
+  EXPECT_EQ(after([](hid_t f) { H5Adelete(f, "nu_max"); }), "fine");
+  EXPECT_EQ(read_state(path_)->model.nu_max_m2_s, Model{}.nu_max_m2_s);
+}
+
+TEST_F(BadDump, EveryTruncationIsAnError) {
+  const std::string whole = test::slurp(path_);
+  const std::string cut = scratch_.path("cut.h5");
+  // Each length near both ends, and every 64th between: the middle is alike.
+  for (std::size_t n = 0; n < whole.size(); n += n < 128 || n + 128 > whole.size() ? 1 : 64) {
+    test::spill(cut, whole.substr(0, n));
+    const auto dump = read_state(cut);
+    ASSERT_FALSE(dump) << "cut to " << n << " of " << whole.size();
+    ASSERT_EQ(dump.error().code, ErrorCode::kBadInput);
+    ASSERT_EQ(dump.error().message.find('\n'), std::string::npos);
+  }
+}
+
+TEST_F(BadDump, AFlippedByteNeverGivesOtherValues) {
+  // Somewhere in the middle, where the compressed planes are: either it is found, or it hit
+  // padding and the values are whole.
+  const std::string whole = test::slurp(path_);
+  const std::string hash = state_sha256(made_up_dump(9, 7, 2, 3).state);
+  for (std::size_t at = whole.size() / 3; at < whole.size() / 3 + 200; ++at) {
+    std::string bytes = whole;
+    bytes[at] = static_cast<char>(bytes[at] ^ 0x10);
+    test::spill(path_, bytes);
+    const auto dump = read_state(path_);
+    EXPECT_TRUE(!dump || state_sha256(dump->state) == hash) << "byte " << at;
+  }
+}
+
+TEST(ReadState, SaysWhatItCannotOpen) {
+  const Scratch scratch;
+  const auto missing = read_state(scratch.path("a.h5"));
+  ASSERT_FALSE(missing);
+  EXPECT_EQ(missing.error().code, ErrorCode::kIo);
+  test::spill(scratch.path("a.h5"), "hello");
+  const auto text = read_state(scratch.path("a.h5"));
+  ASSERT_FALSE(text);
+  EXPECT_EQ(text.error().message, scratch.path("a.h5") + ": not an HDF5 file");
+}
+
+TEST(DescribeFile, TellsWhatADumpHolds) {
+  const Scratch scratch;
+  DumpOptions options;
+  options.provenance = {{"software", "pentimento 0.1"}, {"command", "render a.jsonl"}};
+  ASSERT_TRUE(write_state(scratch.path("a.h5"), made_up_dump(9, 7, 2, 3), options));
+  const auto described = describe_file(scratch.path("a.h5"));
+  ASSERT_TRUE(described) << described.error().message;
+  EXPECT_EQ(described->format, "hdf5");
+  EXPECT_EQ(described->width, 9);
+  EXPECT_EQ(described->height, 7);
+  EXPECT_EQ(described->samples, "2 layers x 3 channels");
+  EXPECT_EQ(provenance_value(described->provenance, "command"), "render a.jsonl");
+  EXPECT_EQ(provenance_value(described->provenance, "step"), "5692");
+  EXPECT_EQ(provenance_value(described->provenance, "software"), "pentimento 0.1");
+}
+
+TEST(DescribeFile, RefusesOtherFiles) {
+  const Scratch scratch;
+  test::spill(scratch.path("a.txt"), "hello");
+  const auto described = describe_file(scratch.path("a.txt"));
+  ASSERT_FALSE(described);
+  EXPECT_EQ(described.error().code, ErrorCode::kBadInput);
+}
+
+TEST(Xdmf, NamesEveryPlaneOfTheDump) {
+  const Scratch scratch;
+  DumpOptions options;
+  options.xdmf = true;
+  ASSERT_TRUE(write_state(scratch.path("a.h5"), made_up_dump(9, 7, 2, 3), options));
+  const std::string text = test::slurp(scratch.path("a.h5.xdmf"));
+  EXPECT_NE(text.find("a.h5:/fluid/depth</DataItem>"), std::string::npos);
+  EXPECT_NE(text.find("Dimensions=\"8 10\""), std::string::npos);  // nodes, one more than cells
+  EXPECT_NE(text.find("layers/1/pigment 2"), std::string::npos);
+  const auto [status, parsed] = test::run(
+      "/usr/bin/python3 -c 'import sys, xml.etree.ElementTree as e; "
+      "print(len(list(e.parse(sys.argv[1]).iter(\"Attribute\"))), end=\"\")' " +
+      scratch.path("a.h5.xdmf"));
+  EXPECT_EQ(status, 0) << parsed;
+  EXPECT_EQ(parsed, "14");  // 7 planes, the reflectance, 2 x 3 pigment planes
+}
+
+}  // namespace
+}  // namespace pentimento
