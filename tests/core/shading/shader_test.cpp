@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 #include "tests/reference/painted_scene.h"
 #include "tests/reference/shading.h"
@@ -97,6 +98,44 @@ TEST(Shader, EqualsItsTwinReduced) {
   const auto shader = open();
   const Scene scene(100, 75);
   EXPECT_LT(difference_to_reference(scene, scene.shade(*shader, request(40, 30, kAllAovs)), 30),
+            kTwin);
+}
+
+/// A state of noise: any number of layers and channels, empty layers, bare cells, any lamp.
+Scene random_scene(std::uint32_t seed) {
+  std::minstd_rand noise(seed);
+  const auto uniform = [&] { return static_cast<float>(noise() % 10007) / 10007.0f; };
+  Scene scene;
+  const int layers = 1 + static_cast<int>(seed % 3), pigments = 2 + static_cast<int>(seed % 7);
+  std::vector<Pigment> palette;
+  for (int i = 0; i < pigments; ++i) {
+    palette.push_back({std::to_string(i), Eigen::Vector3d(uniform(), uniform(), uniform()),
+                       Eigen::Vector3d(uniform(), uniform(), uniform())});
+  }
+  scene.basis = palette_channels(palette);
+  scene.state = make_canvas_state({40, 30, 0.2, 0.12}, layers, pigments, 3, 0);
+  for (int y = 0; y < 30; ++y) {
+    for (int x = 0; x < 40; ++x) {
+      for (Field<float>& band : scene.state.reflectance) band(x, y) = uniform();
+      scene.state.paper_m(x, y) = 0.0005f * uniform();
+      scene.state.base_m(x, y) = scene.state.paper_m(x, y) + 0.001f * uniform();
+      scene.state.depth_m(x, y) = uniform() < 0.3f ? 0 : 0.002f * uniform();
+      for (Field<float>& plane : scene.state.pigment) {
+        plane(x, y) = uniform() < 0.4f ? 0 : 0.05f * uniform();
+      }
+    }
+  }
+  const float tilt = 1.4f * uniform(), turn = 6.28f * uniform();
+  scene.lighting.lamp.direction = {std::sin(tilt) * std::cos(turn), std::sin(tilt) * std::sin(turn),
+                                   std::cos(tilt)};
+  return scene;
+}
+
+TEST(Shader, EqualsItsTwinOnNoise) {
+  const auto shader = open();
+  const Scene few = random_scene(1), many = random_scene(6);  // 2 and 1 layers, 3 and 8 pigments
+  EXPECT_LT(difference_to_reference(few, few.shade(*shader, request(53, 47, kAllAovs)), 47), kTwin);
+  EXPECT_LT(difference_to_reference(many, many.shade(*shader, request(40, 30, kAllAovs)), 30),
             kTwin);
 }
 
