@@ -1,22 +1,31 @@
 #include "core/shading/state_window.h"
 
 #include <algorithm>
+#include <array>
 
 namespace pentimento {
 namespace {
 
-/// Calls cell(x, y) for each cell of the window, row by row, and stores what it returns.
-template <std::size_t N, typename Cell>
-void pack(const CanvasState& state, const CellWindow& window, std::vector<float>& texels,
-          Cell&& cell) {
-  const int last_x = state.geometry.width - 1, last_y = state.geometry.height - 1;
-  texels.resize(N * static_cast<std::size_t>(window.width) *
+/// Four planes, value by value; nullptr stands for a plane of zeros.
+void interleave(const std::array<const Field<float>*, 4>& planes, const CanvasGeometry& grid,
+                const CellWindow& window, std::vector<float>& texels) {
+  const std::vector<float> zeros(static_cast<std::size_t>(grid.width), 0.0f);
+  texels.resize(4 * static_cast<std::size_t>(window.width) *
                 static_cast<std::size_t>(window.height));
   float* out = texels.data();
   for (int j = 0; j < window.height; ++j) {
-    const int y = std::clamp(window.y + j, 0, last_y);
-    for (int i = 0; i < window.width; ++i, out += N) {
-      cell(std::clamp(window.x + i, 0, last_x), y, out);
+    const int y = std::clamp(window.y + j, 0, grid.height - 1);
+    std::array<const float*, 4> row{};
+    for (std::size_t p = 0; p < 4; ++p) {
+      row[p] = planes[p] == nullptr ? zeros.data() : planes[p]->row(y);
+    }
+    const auto [a, b, c, d] = row;
+    for (int i = 0; i < window.width; ++i, out += 4) {
+      const int x = std::clamp(window.x + i, 0, grid.width - 1);
+      out[0] = a[x];
+      out[1] = b[x];
+      out[2] = c[x];
+      out[3] = d[x];
     }
   }
 }
@@ -24,26 +33,35 @@ void pack(const CanvasState& state, const CellWindow& window, std::vector<float>
 }  // namespace
 
 void pack_ground(const CanvasState& state, const CellWindow& window, std::vector<float>& texels) {
-  pack<4>(state, window, texels, [&](int x, int y, float* out) {
-    for (std::size_t band = 0; band < 3; ++band) out[band] = state.reflectance[band](x, y);
-    out[3] = state.depth_m(x, y);
-  });
+  interleave({&state.reflectance[0], &state.reflectance[1], &state.reflectance[2], &state.depth_m},
+             state.geometry, window, texels);
 }
 
 void pack_relief(const CanvasState& state, const CellWindow& window, std::vector<float>& texels) {
-  pack<2>(state, window, texels, [&](int x, int y, float* out) {
-    const float height = state.base_m(x, y) + state.depth_m(x, y);
-    out[0] = height;
-    out[1] = height - state.paper_m(x, y);
-  });
+  const int last_x = state.geometry.width - 1, last_y = state.geometry.height - 1;
+  texels.resize(2 * static_cast<std::size_t>(window.width) *
+                static_cast<std::size_t>(window.height));
+  float* out = texels.data();
+  for (int j = 0; j < window.height; ++j) {
+    const int y = std::clamp(window.y + j, 0, last_y);
+    const float* base = state.base_m.row(y);
+    const float* depth = state.depth_m.row(y);
+    const float* paper = state.paper_m.row(y);
+    for (int i = 0; i < window.width; ++i, out += 2) {
+      const int x = std::clamp(window.x + i, 0, last_x);
+      out[0] = base[x] + depth[x];
+      out[1] = out[0] - paper[x];
+    }
+  }
 }
 
 void pack_amounts(const CanvasState& state, int layer, int plane, const CellWindow& window,
                   std::vector<float>& texels) {
-  const int first = 4 * plane, count = std::clamp(state.channels - first, 0, 4);
-  pack<4>(state, window, texels, [&](int x, int y, float* out) {
-    for (int c = 0; c < 4; ++c) out[c] = c < count ? state.channel(layer, first + c)(x, y) : 0;
-  });
+  std::array<const Field<float>*, 4> planes{};
+  for (int c = 0; c < 4 && 4 * plane + c < state.channels; ++c) {
+    planes[static_cast<std::size_t>(c)] = &state.channel(layer, 4 * plane + c);
+  }
+  interleave(planes, state.geometry, window, texels);
 }
 
 }  // namespace pentimento

@@ -1,0 +1,59 @@
+#include "core/shading/state_window.h"
+
+#include <gtest/gtest.h>
+
+namespace pentimento {
+namespace {
+
+CanvasState small_state() {
+  CanvasState s = make_canvas_state({3, 2, 1, 1}, 1, 5, 3, 0.5f);
+  for (int y = 0; y < 2; ++y) {
+    for (int x = 0; x < 3; ++x) {
+      const float id = static_cast<float>(10 * y + x);
+      s.depth_m(x, y) = id;
+      s.base_m(x, y) = 100;
+      s.paper_m(x, y) = 60;
+      s.channel(0, 4)(x, y) = -id;
+    }
+  }
+  return s;
+}
+
+TEST(PackGround, RepeatsTheEdgeBeyondTheGrid) {
+  std::vector<float> texels;
+  pack_ground(small_state(), {-2, -1, 7, 4}, texels);
+  ASSERT_EQ(texels.size(), 4u * 7 * 4);
+  const float expected[4][7] = {{0, 0, 0, 1, 2, 2, 2},
+                                {0, 0, 0, 1, 2, 2, 2},
+                                {10, 10, 10, 11, 12, 12, 12},
+                                {10, 10, 10, 11, 12, 12, 12}};
+  for (std::size_t y = 0; y < 4; ++y) {
+    for (std::size_t x = 0; x < 7; ++x) {
+      EXPECT_EQ(texels[4 * (7 * y + x) + 3], expected[y][x]);
+      EXPECT_EQ(texels[4 * (7 * y + x)], 0.5f);
+    }
+  }
+}
+
+TEST(PackGround, AcceptsAWindowWhollyBeyondTheGrid) {
+  std::vector<float> texels;
+  pack_ground(small_state(), {5, 5, 2, 1}, texels);
+  EXPECT_EQ(texels[3], 12);
+  pack_ground(small_state(), {-9, -9, 2, 1}, texels);
+  EXPECT_EQ(texels[7], 0);
+}
+
+TEST(PackRelief, HoldsHeightAndThicknessOfAllPaint) {
+  std::vector<float> texels;
+  pack_relief(small_state(), {1, 1, 1, 1}, texels);
+  EXPECT_EQ(texels, (std::vector<float>{111, 51}));
+}
+
+TEST(PackAmounts, FillsMissingChannelsWithZeros) {
+  std::vector<float> texels(100, 7.0f);
+  pack_amounts(small_state(), 0, 1, {2, 1, 1, 1}, texels);
+  EXPECT_EQ(texels, (std::vector<float>{-12, 0, 0, 0}));
+}
+
+}  // namespace
+}  // namespace pentimento
