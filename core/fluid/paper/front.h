@@ -11,8 +11,9 @@
 namespace pentimento::paper {
 
 /// Thin cells of row y that a thick one in the same row flows into within this step: they receive
-/// its velocity. A thick cell reaches 1 + floor(|u| dt / dx) cells, up to the next thick one; a
-/// stamped one reaches none, for its velocity is the brush's, not the film's.
+/// its velocity. A front advances by n cells, up to the next thick one, if its foremost n cells all
+/// travel at least n - 1: a film that slides moves as a whole, one that spreads goes one cell. A
+/// stamped cell advances nothing, for its velocity is the brush's, not the film's.
 void reach_along_row(const StepConstants& k, const CanvasState& state, const BrushContact& contact,
                      const Velocity& velocity, int y, Columns cells, Reach& reach);
 

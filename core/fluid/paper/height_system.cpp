@@ -10,7 +10,8 @@ constexpr float kReliefBeyondFilm = 0.25f;
 
 float limited(float relief, float film) {
   const float most = film + kReliefBeyondFilm;
-  return std::min(std::max(relief, -most), most);
+  const float not_above = relief < most ? relief : most;
+  return not_above > -most ? not_above : -most;
 }
 
 }  // namespace

@@ -28,11 +28,11 @@ void limit_speed_row(const StepConstants& k, Columns cells, float* u_m_s, float*
   const float threshold = k.threshold_m_s;
   const float cap = k.speed_cap_m_s > 0 ? k.speed_cap_m_s : std::numeric_limits<float>::max();
   for (int x = cells.begin; x < cells.end; ++x) {
-    const float speed = std::sqrt(u_m_s[x] * u_m_s[x] + v_m_s[x] * v_m_s[x]);
-    const float capped = speed > cap ? cap / speed : 1.0f;
-    const float scale = speed < threshold ? 0.0f : capped;
-    u_m_s[x] = scale == 0.0f ? 0.0f : u_m_s[x] * scale;
-    v_m_s[x] = scale == 0.0f ? 0.0f : v_m_s[x] * scale;
+    const float u = u_m_s[x], v = v_m_s[x];
+    const float speed = std::sqrt(u * u + v * v);
+    const float slowed = cap / (speed > cap ? speed : cap);  // exactly 1 up to the cap
+    u_m_s[x] = speed < threshold ? 0.0f : u * slowed;
+    v_m_s[x] = speed < threshold ? 0.0f : v * slowed;
   }
 }
 
