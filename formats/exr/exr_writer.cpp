@@ -115,7 +115,11 @@ class ExrFile final : public PictureFile {
         stored_(static_cast<int>(names_.size()), width_, full_float_) {}
 
   Result<void> write(const PictureStrip& strip) override;
-  Result<Published> finish() override;
+  Result<Published> complete() override;
+  Result<void> publish() override {
+    if (const Result<Published> published = file_->publish(); !published) return published.error();
+    return {};
+  }
 
  private:
   Result<void> check(const std::string& temporary) const;
@@ -182,10 +186,10 @@ Result<void> ExrFile::check(const std::string& temporary) const {
   return {};
 }
 
-Result<Published> ExrFile::finish() {
+Result<Published> ExrFile::complete() {
   PENTIMENTO_CHECK(rows_ == height_);
   output_.reset();  // writes the table of offsets
-  return file_->publish([this](const std::string& temporary) { return check(temporary); });
+  return file_->complete([this](const std::string& temporary) { return check(temporary); });
 }
 
 }  // namespace

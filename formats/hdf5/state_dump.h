@@ -9,6 +9,7 @@
 #include "core/optics/channels.h"
 #include "core/optics/lighting.h"
 #include "core/result.h"
+#include "formats/io/output_file.h"
 #include "formats/io/picture_file.h"
 
 namespace pentimento {
@@ -43,6 +44,11 @@ inline constexpr int kStateVersion = 1;
 /// SHA-256 (hex) of the state's values, as docs/state-format.md defines it: the same for any
 /// number of threads, chunking and file.
 std::string state_sha256(const CanvasState& state);
+
+/// The dump's file made whole under a temporary name; OutputFile::publish() gives it its own.
+/// Without the .xdmf. Errors: kIo, kLimit, kUsage.
+Result<std::unique_ptr<OutputFile>> complete_state(const std::string& path, const StateDump& dump,
+                                                   const DumpOptions& options);
 
 Result<Published> write_state(const std::string& path, const StateDump& dump,
                               const DumpOptions& options);

@@ -201,13 +201,24 @@ Result<void> check_dump(const std::string& path, const StateDump& dump) {
 
 }  // namespace
 
-Result<Published> write_state(const std::string& path, const StateDump& dump,
-                              const DumpOptions& options) {
+Result<std::unique_ptr<OutputFile>> complete_state(const std::string& path, const StateDump& dump,
+                                                   const DumpOptions& options) {
   if (const Result<void> fine = check_dump(path, dump); !fine) return fine.error();
   const std::string hash = state_sha256(dump.state);
   const std::string image = file_image(dump, hash, options);
   if (image.empty()) return Error{ErrorCode::kLimit, path + ": no memory to build the state dump"};
-  Result<Published> published = publish_bytes(path, image, options.no_clobber);
+  Result<std::unique_ptr<OutputFile>> file = OutputFile::create(path, options.no_clobber);
+  if (!file) return file.error();
+  (*file)->write(image.data(), image.size());
+  if (const Result<Published> whole = (*file)->complete(); !whole) return whole.error();
+  return file;
+}
+
+Result<Published> write_state(const std::string& path, const StateDump& dump,
+                              const DumpOptions& options) {
+  Result<std::unique_ptr<OutputFile>> file = complete_state(path, dump, options);
+  if (!file) return file.error();
+  Result<Published> published = (*file)->publish();
   if (!published || !options.xdmf) return published;
   const Result<Published> sidecar =
       publish_bytes(path + ".xdmf", xdmf_text(path, dump), options.no_clobber);

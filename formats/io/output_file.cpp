@@ -164,10 +164,13 @@ Result<void> OutputFile::rename_to_target() {
   return {};
 }
 
-Result<Published> OutputFile::publish(const Check& check) {
+Result<Published> OutputFile::complete(const Check& check) {
   flush();
   if (failed()) return io_error(error_number_);
-  if (is_stream()) return Published{path_, written_.hex()};
+  if (is_stream()) {
+    complete_sha256_ = written_.hex();
+    return Published{path_, complete_sha256_};
+  }
   // A failed fsync is final: the kernel may have dropped the pages, a second call would succeed.
   if (::fsync(descriptor_) != 0) return io_error(errno);
   const Result<std::string> hash = read_back();
@@ -178,8 +181,18 @@ Result<Published> OutputFile::publish(const Check& check) {
     const Result<void> checked = check(temporary_);
     if (!checked) return checked.error();
   }
-  if (const Result<void> renamed = rename_to_target(); !renamed) return renamed.error();
-  return Published{path_, *hash};
+  complete_sha256_ = *hash;
+  return Published{path_, complete_sha256_};
+}
+
+Result<Published> OutputFile::publish(const Check& check) {
+  if (complete_sha256_.empty()) {
+    if (const Result<Published> whole = complete(check); !whole) return whole.error();
+  }
+  if (!is_stream()) {
+    if (const Result<void> renamed = rename_to_target(); !renamed) return renamed.error();
+  }
+  return Published{path_, complete_sha256_};
 }
 
 }  // namespace pentimento

@@ -41,8 +41,10 @@ class OutputFile {
   /// Standard output, a pipe or a device: neither seeks nor can be read back.
   bool is_stream() const { return temporary_.empty(); }
 
-  /// Gives the file its name, after `check` found it right. With no seek() the bytes read back must
-  /// have the SHA-256 of the bytes written. Call once.
+  /// Makes the file whole under its temporary name, after which `check` must find it right. With no
+  /// seek() the bytes read back must have the SHA-256 of the bytes written. Call once.
+  Result<Published> complete(const Check& check = {});
+  /// Gives the file its name; completes it first if that was not done. Call once.
   Result<Published> publish(const Check& check = {});
 
  private:
@@ -60,6 +62,7 @@ class OutputFile {
   int error_number_ = 0;  // errno of the first failure
   bool no_clobber_ = false;
   bool published_ = false;
+  std::string complete_sha256_;  // set by complete()
   bool sequential_ = true;  // no seek() so far: `written_` is the file's hash
   Sha256 written_;
   std::uint64_t position_ = 0;

@@ -18,11 +18,20 @@ struct Published {
   std::string sha256;
 };
 
-/// finish() publishes it (temporary, fsync, read back, rename); destruction without it leaves no
-/// trace.
+/// complete() makes the file whole under its temporary name (fsync, read back), publish() gives it
+/// its own: so several files can be completed before the first is published. Destruction without
+/// publish() leaves no trace.
 class PictureFile : public PictureSink {
  public:
-  virtual Result<Published> finish() = 0;
+  virtual Result<Published> complete() = 0;
+  virtual Result<void> publish() = 0;
+  /// Both.
+  Result<Published> finish() {
+    Result<Published> whole = complete();
+    if (!whole) return whole;
+    if (Result<void> published = publish(); !published) return published.error();
+    return whole;
+  }
 };
 
 }  // namespace pentimento

@@ -50,7 +50,11 @@ class PngFile final : public PictureFile {
 
   Result<void> begin(const PngOptions& options);
   Result<void> write(const PictureStrip& strip) override;
-  Result<Published> finish() override;
+  Result<Published> complete() override;
+  Result<void> publish() override {
+    if (const Result<Published> published = file_->publish(); !published) return published.error();
+    return {};
+  }
 
  private:
   bool encode_row(const PictureStrip& strip, int y, std::uint8_t* out) const;
@@ -164,13 +168,13 @@ void PngFile::deflate_whole_blocks() {
   pending_rows_ -= count * rows_per_block_;
 }
 
-Result<Published> PngFile::finish() {
+Result<Published> PngFile::complete() {
   PENTIMENTO_CHECK(rows_ == height_);
   Block rest = deflate_rows(0, pending_rows_, true);
   write_block(rest, true);
   const Bytes end = png::chunk("IEND", {});
   file_->write(end.data(), end.size());
-  return file_->publish();
+  return file_->complete();
 }
 
 }  // namespace
