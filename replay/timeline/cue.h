@@ -1,0 +1,34 @@
+#pragma once
+// What the timeline hands to the player: the log's events with strokes turned into stamps, in the
+// order in which they act, each with the simulation step before which it does.
+
+#include <cstdint>
+#include <variant>
+
+#include "core/brush/stamp.h"
+#include "formats/log/events.h"
+
+namespace pentimento {
+
+/// `hand` numbers the touches that are down at once, from 0: the lowest free number is taken.
+struct StrokeBegin {
+  int hand = 0;
+  std::uint32_t stroke_id = 0;  // from 1, played strokes only
+};
+struct StrokeStamp {
+  int hand = 0;
+  Stamp stamp;
+};
+struct StrokeEnd {
+  int hand = 0;
+};
+
+struct Cue {
+  std::int64_t time_us = 0;
+  std::int64_t line = 0;  // of the log, for messages
+  std::int64_t step = 0;  // steps done before it acts
+  /// A log::Action is never a touch, step, undo or redo: those are resolved.
+  std::variant<StrokeBegin, StrokeStamp, StrokeEnd, log::Action> what;
+};
+
+}  // namespace pentimento

@@ -1,0 +1,72 @@
+#pragma once
+// The touches that are down, each with the path it has drawn: samples of the log in, stamps out.
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "core/brush/stroke_path.h"
+#include "formats/log/events.h"
+#include "replay/timeline/cue_queue.h"
+
+namespace pentimento {
+
+struct CanvasSize {
+  double width_m = 1, height_m = 1;
+};
+
+/// How the brush is set at a sample.
+struct BrushReach {
+  float diameter_m = 0.03f;
+  double spacing_frac = 0.025;
+};
+
+/// A moment between events: by time, then by place in the log.
+struct LogMoment {
+  std::int64_t time_us = 0;
+  std::int64_t place = 0;
+};
+
+/// One sample of the log with its place among the events.
+struct PlacedTouch {
+  const log::Touch& touch;
+  LogMoment moment;
+  std::int64_t line = 0;
+};
+
+class Touches {
+ public:
+  explicit Touches(const CanvasSize& canvas) : canvas_(canvas) {}
+
+  /// A touch that is played goes down.
+  void down(const PlacedTouch& at, const BrushReach& brush, std::uint32_t stroke_id, CueQueue& out);
+  /// A move or the end of a touch; of one that is not down here (undone), nothing happens.
+  void move(const PlacedTouch& at, const BrushReach& brush, CueQueue& out);
+  void up(const PlacedTouch& at, const BrushReach& brush, CueQueue& out);
+  /// The log ends: all touches lift where they are.
+  void end(CueQueue& out);
+
+  /// Cues still to come from touches that are down are not before this moment of the log; nothing
+  /// if no touch is down.
+  std::optional<LogMoment> settled_until() const;
+
+ private:
+  struct Down {
+    std::int64_t id = 0;
+    int hand = 0;
+    StrokePath path;
+    LogMoment begin, before, last;  // first sample, last but one, last
+    std::int64_t line = 0;          // of the last sample
+    float pressure = -1;            // of the last sample
+  };
+  Down* find(std::int64_t id);
+  int free_hand() const;
+  void emit(const Down& down, CueQueue& out);
+  void finish(Down& down, CueQueue& out);
+
+  CanvasSize canvas_;
+  std::vector<Down> down_;
+  std::vector<Stamp> stamps_;  // of one call, to save allocations
+};
+
+}  // namespace pentimento
