@@ -1,0 +1,31 @@
+#pragma once
+// The brushes a log may name: those of its header and the built-in ones.
+
+#include <map>
+#include <string>
+
+#include "core/brush/brush_settings.h"
+#include "core/result.h"
+#include "formats/log/events.h"
+#include "replay/log_files.h"
+
+namespace pentimento {
+
+class BrushTable {
+ public:
+  /// Reads the header's tip textures. Errors: kBadInput or kIo, of a texture.
+  static Result<BrushTable> make(const log::Header& header, LogFiles& files);
+  /// The built-in brushes alone.
+  BrushTable();
+
+  /// The brush in the hand before the log names one: the header's first, else `round`.
+  const BrushDefinition& first() const { return brushes_.at(first_); }
+  /// `name` is in the header or built in (the reader checked it).
+  const BrushDefinition& find(const std::string& name) const;
+
+ private:
+  std::map<std::string, BrushDefinition> brushes_;
+  std::string first_ = "round";
+};
+
+}  // namespace pentimento

@@ -1,0 +1,30 @@
+#pragma once
+// `--dry-run`: what a job would take, without doing it.
+
+#include <cstdint>
+#include <string>
+
+#include "core/result.h"
+#include "replay/control.h"
+#include "replay/memory_estimate.h"
+#include "replay/render_job.h"
+
+namespace pentimento {
+
+struct JobEstimate {
+  OutputSize size;
+  CanvasGeometry grid;
+  std::int64_t steps = 0;
+  JobNeeds needs;
+  double time_s = 0;  // at most, were paint wet everywhere all the time
+  std::string log_sha256;
+};
+
+/// Reads the log and times a few steps of a small wet canvas. Errors: as render() before its first
+/// step.
+Result<JobEstimate> dry_run(const RenderJob& job, const Control& control);
+
+std::string estimate_json(const JobEstimate& estimate);
+std::string estimate_text(const JobEstimate& estimate);
+
+}  // namespace pentimento

@@ -1,0 +1,77 @@
+#include "replay/effective.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "formats/log/model_fields.h"
+#include "replay/build_info.h"
+
+namespace pentimento {
+
+namespace {
+bool is_plain(char c) {
+  constexpr std::string_view kPlain = "%+,-./:=@_";
+  return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') ||
+         kPlain.find(c) != std::string_view::npos;
+}
+
+std::string numbers(const std::array<float, 3>& v) {
+  return fmt::format("{} {} {}", v[0], v[1], v[2]);
+}
+
+void add_model(const Model& model, Provenance& out) {
+  for (const log::ModelField& field : log::model_fields()) {
+    out.emplace_back("model." + std::string(field.name), log::model_value_json(field, model));
+  }
+}
+
+void add_lighting(const Lighting& lighting, Provenance& out) {
+  out.emplace_back("light.direction", numbers(lighting.lamp.direction));
+  out.emplace_back("light.intensity", fmt::format("{}", lighting.lamp.intensity));
+  out.emplace_back("light.color", numbers(lighting.lamp.color));
+  std::string sh;
+  for (const auto& coefficient : lighting.environment.L) {
+    if (!sh.empty()) sh.push_back(' ');
+    sh.append(numbers(coefficient));
+  }
+  out.emplace_back("environment.sh", sh);
+  out.emplace_back("reflection", lighting.reflection.rgb[0].empty() ? "environment" : "camera");
+  out.emplace_back("exposure_ev", fmt::format("{}", lighting.exposure_ev));
+}
+}  // namespace
+
+std::string shell_word(const std::string& text) {
+  if (!text.empty() && std::all_of(text.begin(), text.end(), is_plain)) return text;
+  std::string quoted(1, '\'');
+  for (const char c : text) {
+    if (c == '\'') {
+      quoted.append("'\\''");
+    } else {
+      quoted.push_back(c);
+    }
+  }
+  quoted.push_back('\'');
+  return quoted;
+}
+
+Provenance provenance_of(const Origin& origin, const OutputSize& size, const std::string& pattern) {
+  Provenance out = {{"software", software()},
+                    {"log_sha256", origin.log_sha256},
+                    {"state_sha256", origin.state_sha256},
+                    {"guide_sha256", origin.state_sha256},
+                    {"step", std::to_string(origin.step)},
+                    {"time_s", fmt::format("{}", origin.time_s)},
+                    {"steps_per_second", fmt::format("{}", origin.steps_per_second)},
+                    {"grid", fmt::format("{} x {}", origin.grid.width, origin.grid.height)},
+                    {"canvas_m", fmt::format("{} x {}", origin.grid.width_m, origin.grid.height_m)},
+                    {"picture", fmt::format("{} x {}", size.width, size.height)},
+                    {"dpi", fmt::format("{}", size.dpi)},
+                    {"command", origin.command + " -o " + shell_word(pattern)}};
+  add_model(origin.model, out);
+  add_lighting(origin.lighting, out);
+  for (const auto& [name, sha256] : origin.files) out.emplace_back("file:" + name, sha256);
+  return out;
+}
+
+}  // namespace pentimento

@@ -1,0 +1,50 @@
+#pragma once
+// The light as the log's events change it: lamp, surroundings, the front camera's picture. Pictures
+// only; nothing here reaches the state.
+
+#include <array>
+#include <utility>
+
+#include "core/optics/lighting.h"
+#include "core/result.h"
+#include "formats/log/events.h"
+#include "replay/log_files.h"
+
+namespace pentimento {
+
+/// What a canvas is lit by before anything says otherwise: the lamp of Lighting at the top left and
+/// an even, slightly cool room light from above.
+Lighting default_lighting();
+
+/// A panorama file (equirectangular, HDR, EXR or any picture) as nine coefficients.
+Result<ShCoefficients> read_environment(const std::string& path);
+
+/// A direction of a log or command line at unit length; (0,0,1) if it has none.
+std::array<float, 3> unit_direction(const std::array<double, 3>& direction);
+
+/// Puts a lamp that follows gravity where it stands under `gravity`, for good.
+void settle_lamp(Lamp& lamp, const log::Gravity& gravity);
+
+class LightingTrack {
+ public:
+  explicit LightingTrack(Lighting start) : lighting_(std::move(start)) {}
+
+  /// Follows `light`, `environment`, `camera` and `gravity` events; others are ignored. Errors:
+  /// those of the files.
+  Result<void> follow(const log::Action& action, LogFiles& files);
+
+  /// As set, the lamp not yet turned by gravity.
+  const Lighting& lighting() const { return lighting_; }
+  /// The accelerometer's last reading.
+  const log::Gravity& gravity() const { return gravity_; }
+
+ private:
+  void light(const log::Light& event);
+  Result<void> environment(const log::Environment& event, LogFiles& files);
+  Result<void> camera(const log::Camera& event, LogFiles& files);
+
+  Lighting lighting_;
+  log::Gravity gravity_;
+};
+
+}  // namespace pentimento

@@ -1,0 +1,41 @@
+#include "replay/log_files.h"
+
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <utility>
+
+#include "formats/io/sha256.h"
+#include "formats/log/resolve.h"
+
+namespace pentimento {
+
+namespace {
+Result<std::string> hash_file(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  Sha256 hash;
+  std::array<char, 1 << 16> bytes{};
+  while (file) {
+    file.read(bytes.data(), bytes.size());
+    hash.update(bytes.data(), static_cast<std::size_t>(file.gcount()));
+  }
+  if (!file.eof()) return Error{ErrorCode::kIo, path + ": cannot be read"};
+  return hash.hex();
+}
+}  // namespace
+
+LogFiles::LogFiles(std::string log_path, bool allow_outside)
+    : log_path_(std::move(log_path)), allow_outside_(allow_outside) {}
+
+Result<std::string> LogFiles::use(const std::string& name) {
+  if (const auto known = paths_.find(name); known != paths_.end()) return known->second;
+  Result<std::filesystem::path> path = log::resolve_file(log_path_, name, allow_outside_);
+  if (!path) return path.error();
+  Result<std::string> hash = hash_file(path->string());
+  if (!hash) return hash.error();
+  paths_.emplace(name, path->string());
+  hashes_.emplace(name, *hash);
+  return path->string();
+}
+
+}  // namespace pentimento

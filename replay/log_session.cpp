@@ -1,0 +1,134 @@
+#include "replay/log_session.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "formats/log/model_fields.h"
+#include "replay/channel_change.h"
+#include "replay/paper_relief.h"
+#include "replay/timeline/step_clock.h"
+
+namespace pentimento {
+
+namespace {
+Result<Model> effective_model(const log::Header& header, const RenderJob& job) {
+  Model model = header.model;
+  for (const auto& [name, value] : job.model) {
+    if (Result<void> set = log::set_model_text(model, name, value); !set) return set.error();
+  }
+  const std::string problem = log::model_problem(model);
+  if (!problem.empty()) return Error{ErrorCode::kUsage, "--set model." + problem};
+  return model;
+}
+
+/// The log's planes and palette continue those of the dump.
+Result<void> start_from(const std::string& path, LogSession& session) {
+  Result<StateDump> dump = read_state(path);
+  if (!dump) return dump.error();
+  const CanvasGeometry& canvas = dump->state.geometry;
+  if (canvas.width_m != session.canvas.width_m || canvas.height_m != session.canvas.height_m) {
+    return Error{
+        ErrorCode::kBadInput,
+        fmt::format("{}: its canvas is {} x {} m, the log's {} x {} m", path, canvas.width_m,
+                    canvas.height_m, session.canvas.width_m, session.canvas.height_m)};
+  }
+  Result<std::vector<Pigment>> joined =
+      join_palettes(dump->palette, session.plan.palette.pigments());
+  if (!joined) return Error{joined.error().code, path + ": " + joined.error().message};
+  session.palette = Palette::of(std::move(*joined));
+  session.first_color = session.palette.find(session.plan.palette.pigments().front().name);
+  session.basis = channels_after(dump->basis, session.palette.pigments());
+  dump->state = change_channels(std::move(dump->state), dump->basis, session.basis);
+  session.canvas = session.grid = canvas;
+  session.model.layers = dump->state.layers;
+  session.start = std::move(*dump);
+  return {};
+}
+
+CanvasGeometry simulation_grid(const OutputSize& size, const RenderJob& job,
+                               const CanvasGeometry& canvas) {
+  const double scale = job.sim_scale.value_or(1);
+  CanvasGeometry grid = canvas;
+  grid.width = std::max(1, static_cast<int>(size.width * scale + 0.5));
+  grid.height = std::max(1, static_cast<int>(size.height * scale + 0.5));
+  return grid;
+}
+
+std::int64_t steps_to_simulate(const LogPlan& plan, const RenderJob& job, double steps_per_second) {
+  std::int64_t steps = plan.steps;
+  if (!plan.stops.empty()) steps = *std::max_element(plan.stops.begin(), plan.stops.end());
+  if (!job.settle_s) return steps;
+  const auto settle_us = static_cast<std::int64_t>(*job.settle_s * 1e6 + 0.5);
+  return steps + StepClock(steps_per_second).steps_in(settle_us);
+}
+
+void tell_oddities(const LogSession& session, const Control& control) {
+  if (!session.plan.salvaged.empty()) control.warning(session.plan.salvaged);
+  if (session.plan.undo.idle() > 0) {
+    control.warning(fmt::format("{} undo or redo events had nothing to act on and were ignored",
+                                session.plan.undo.idle()));
+  }
+  if (session.reader->header().edge_open) {
+    control.warning("canvas.edge \"open\" is simulated as closed: paint does not drip off");
+  }
+}
+}  // namespace
+
+Result<LogSession> open_session(const RenderJob& job, const Control& control) {
+  LogSession session;
+  Result<std::unique_ptr<log::Reader>> reader = log::Reader::open(job.log, job.reading);
+  if (!reader) return reader.error();
+  session.reader = std::move(*reader);
+  session.files = LogFiles(job.log, job.reading.allow_outside);
+  const log::Header& header = session.reader->header();
+  session.canvas = {header.grid_width, header.grid_height, header.canvas_width_m,
+                    header.canvas_height_m};
+  Result<Model> model = effective_model(header, job);
+  if (!model) return model.error();
+  session.model = *model;
+  Result<BrushTable> brushes = BrushTable::make(header, session.files);
+  if (!brushes) return brushes.error();
+  session.brushes = std::move(*brushes);
+  control.report({"read", 0, 0});
+  Result<LogPlan> plan = plan_log(*session.reader, session.files, job.stops);
+  if (!plan) return plan.error();
+  session.plan = std::move(*plan);
+  session.palette = session.plan.palette;
+  session.basis = make_channels(session.palette.pigments());
+  if (!job.from.empty()) {
+    if (Result<void> started = start_from(job.from, session); !started) return started.error();
+  }
+  Result<OutputSize> size = output_size(job.size, session.canvas);
+  if (!size) return size.error();
+  session.size = *size;
+  if (!session.start) session.grid = simulation_grid(*size, job, session.canvas);
+  session.steps = steps_to_simulate(session.plan, job, header.steps_per_second);
+  tell_oddities(session, control);
+  return session;
+}
+
+Result<std::unique_ptr<Simulation>> make_simulation(LogSession& session, const Threads& threads) {
+  const log::Header& header = session.reader->header();
+  SimulationSetup setup;
+  setup.geometry = session.grid;
+  setup.model = session.model;
+  setup.basis = session.basis;
+  setup.dt_s = StepClock(header.steps_per_second).dt_s();
+  for (std::size_t c = 0; c < 3; ++c) {
+    setup.paper_reflectance[c] = static_cast<float>(header.paper.reflectance[c]);
+  }
+  if (session.start) {
+    setup.paper_m = session.start->state.paper_m.clone();
+  } else {
+    Result<Field<float>> relief = paper_relief(header.paper, session.grid, session.files);
+    if (!relief) return relief.error();
+    setup.paper_m = std::move(*relief);
+  }
+  auto simulation = std::make_unique<Simulation>(std::move(setup), threads);
+  if (session.start) simulation->restore(std::move(session.start->state));
+  return simulation;
+}
+
+}  // namespace pentimento

@@ -1,0 +1,41 @@
+#pragma once
+// A log opened, read once and understood: all that is known before the first step. A session gives
+// one replay.
+
+#include <memory>
+
+#include "core/result.h"
+#include "core/simulation.h"
+#include "formats/hdf5/state_dump.h"
+#include "formats/log/reader.h"
+#include "replay/brushes.h"
+#include "replay/control.h"
+#include "replay/log_files.h"
+#include "replay/log_plan.h"
+#include "replay/render_job.h"
+
+namespace pentimento {
+
+struct LogSession {
+  std::unique_ptr<log::Reader> reader;  // stands before the first event
+  LogFiles files{"", false};
+  LogPlan plan;
+  BrushTable brushes;
+  Model model;          // the header's with the job's changes
+  Palette palette;      // of the dump, if any, and the log
+  int first_color = 0;  // index of what the first brush is loaded with
+  ChannelBasis basis;
+  std::optional<StateDump> start;  // --from, its channels in `basis`
+  CanvasGeometry canvas;           // the log's grid
+  OutputSize size;
+  CanvasGeometry grid;     // of the simulation
+  std::int64_t steps = 0;  // to be simulated
+};
+
+/// Errors: those of the log, its files and the dump; kUsage for options that do not fit them.
+Result<LogSession> open_session(const RenderJob& job, const Control& control);
+
+/// A canvas for the session's replay. Errors: the paper's texture. Moves `start`'s state out.
+Result<std::unique_ptr<Simulation>> make_simulation(LogSession& session, const Threads& threads);
+
+}  // namespace pentimento

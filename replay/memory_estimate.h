@@ -1,0 +1,24 @@
+#pragma once
+// What a job will need, before it is begun: a job that cannot fit is refused at once, not after
+// hours.
+
+#include <cstdint>
+
+#include "core/result.h"
+#include "replay/log_session.h"
+#include "replay/render_job.h"
+
+namespace pentimento {
+
+struct JobNeeds {
+  std::int64_t memory_bytes = 0;  // at the peak
+  std::int64_t disk_bytes = 0;    // of all outputs; pictures as if they did not compress
+};
+
+/// From the sizes alone; above what is really used by a fifth or so.
+JobNeeds job_needs(const RenderJob& job, const LogSession& session);
+
+/// kLimit if the memory is over the job's limit, or over what the machine has.
+Result<void> check_memory(const RenderJob& job, const LogSession& session);
+
+}  // namespace pentimento

@@ -1,0 +1,169 @@
+#include "replay/output_set.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
+#include "formats/exr/exr_writer.h"
+#include "formats/io/output_file.h"
+#include "formats/png/png_writer.h"
+
+namespace pentimento {
+
+struct OutputSet::Pending {
+  WrittenFile file;
+  std::unique_ptr<PictureFile> picture;  // one of the two
+  std::unique_ptr<OutputFile> state;
+
+  Result<void> publish() {
+    if (picture) return picture->publish();
+    Result<Published> published = state->publish();
+    if (!published) return published.error();
+    file.sha256 = published->sha256;
+    return {};
+  }
+};
+
+namespace {
+bool is_picture(const PlannedOutput& output) {
+  return output.kind != OutputKind::kState;
+}
+
+/// Hands strips on and tells how far they are; stops when the job is cancelled.
+class WatchedSink : public PictureSink {
+ public:
+  WatchedSink(PictureSink& sink, int rows, const Control& control)
+      : sink_(sink), rows_(rows), control_(control) {}
+  Result<void> write(const PictureStrip& strip) override {
+    if (Result<void> go = control_.go_on(); !go) return go;
+    control_.report({"shade", strip.y0 + strip.rows, rows_});
+    return sink_.write(strip);
+  }
+
+ private:
+  PictureSink& sink_;
+  int rows_;
+  const Control& control_;
+};
+}  // namespace
+
+Result<OutputSize> written_size(const PictureChoice& picture, const OutputSize& whole) {
+  if (!picture.crop) return whole;
+  const auto [x, y, width, height] = *picture.crop;
+  const bool inside = x >= 0 && y >= 0 && width > 0 && height > 0 &&
+                      std::int64_t{x} + width <= whole.width &&
+                      std::int64_t{y} + height <= whole.height;
+  if (inside) return OutputSize{width, height, whole.dpi};
+  return Error{ErrorCode::kUsage, fmt::format("--crop {},{},{},{} is not inside {} x {} pixels", x,
+                                              y, width, height, whole.width, whole.height)};
+}
+
+OutputSet::OutputSet(const OutputSettings& settings, Stopwatch& watch)
+    : settings_(settings), watch_(watch) {}
+OutputSet::~OutputSet() = default;
+
+Result<void> OutputSet::open_shader() {
+  if (shader_) return {};
+  Result<std::unique_ptr<Shader>> shader =
+      Shader::open(settings_.picture.backend, settings_.threads);
+  if (!shader) return shader.error();
+  shader_ = std::move(*shader);
+  return {};
+}
+
+Result<void> OutputSet::create(const PlannedOutput& output, const Scene& scene,
+                               const Origin& origin) {
+  const PictureChoice& choice = settings_.picture;
+  Result<OutputSize> size = written_size(choice, settings_.size);
+  if (!size) return size.error();
+  Provenance provenance = provenance_of(origin, settings_.size, output.pattern);
+  provenance.emplace_back("shader", shader_->description());
+  Result<std::unique_ptr<PictureFile>> file = [&] {
+    if (output.kind == OutputKind::kPng) {
+      return create_png(output.path, {size->width, size->height, choice.bit_depth, size->dpi,
+                                      provenance, settings_.threads, choice.no_clobber});
+    }
+    std::vector<std::string> channels = {"R", "G", "B"};
+    const auto extra = aov_channels(choice.aovs, scene.basis);
+    if (extra) channels.insert(channels.end(), extra->begin(), extra->end());
+    return create_exr(output.path, {size->width, size->height, choice.full_float, size->dpi,
+                                    channels, provenance, settings_.threads, choice.no_clobber});
+  }();
+  if (!file) return file.error();
+  pending_.push_back({{output.path, size->width, size->height, {}}, std::move(*file), {}});
+  return {};
+}
+
+Result<void> OutputSet::add_pictures(const std::vector<PlannedOutput>& outputs, const Scene& scene,
+                                     const Origin& origin) {
+  if (std::none_of(outputs.begin(), outputs.end(), is_picture)) return {};
+  watch_.start("shade");
+  if (Result<void> opened = open_shader(); !opened) return opened;
+  const std::size_t first_file = pending_.size();
+  for (const PlannedOutput& output : outputs) {
+    if (!is_picture(output)) continue;
+    if (Result<void> created = create(output, scene, origin); !created) return created;
+  }
+  if (Result<void> shaded = shade(scene, first_file); !shaded) return shaded;
+  watch_.start("encode");
+  for (std::size_t i = first_file; i < pending_.size(); ++i) {
+    Result<Published> complete = pending_[i].picture->complete();
+    if (!complete) return complete.error();
+    pending_[i].file.sha256 = complete->sha256;
+  }
+  return {};
+}
+
+Result<void> OutputSet::shade(const Scene& scene, std::size_t first_file) {
+  const PictureChoice& choice = settings_.picture;
+  ShadeRequest request;
+  request.width = settings_.size.width;
+  request.height = settings_.size.height;
+  int rows = request.height;
+  if (choice.crop) {
+    request.crop_x = (*choice.crop)[0];
+    request.crop_y = (*choice.crop)[1];
+    request.crop_width = (*choice.crop)[2];
+    request.crop_height = rows = (*choice.crop)[3];
+  }
+  request.tile = choice.tile;
+  request.aovs = choice.aovs;
+  std::vector<WatchedSink> watched;
+  std::vector<PictureSink*> sinks;
+  for (std::size_t i = first_file; i < pending_.size(); ++i) {
+    watched.emplace_back(*pending_[i].picture, rows, settings_.control);
+  }
+  for (WatchedSink& sink : watched) sinks.push_back(&sink);
+  return shader_->shade(scene.state, scene.basis, scene.model, scene.lighting, request, sinks);
+}
+
+Result<void> OutputSet::add_states(const std::vector<PlannedOutput>& outputs, const StateDump& dump,
+                                   const Origin& origin) {
+  watch_.start("encode");
+  for (const PlannedOutput& output : outputs) {
+    if (is_picture(output)) continue;
+    DumpOptions options;
+    options.threads = settings_.threads;
+    options.provenance = provenance_of(origin, settings_.size, output.pattern);
+    options.no_clobber = settings_.picture.no_clobber;
+    Result<std::unique_ptr<OutputFile>> file = complete_state(output.path, dump, options);
+    if (!file) return file.error();
+    const CanvasGeometry& grid = dump.state.geometry;
+    pending_.push_back({{output.path, grid.width, grid.height, {}}, {}, std::move(*file)});
+  }
+  return {};
+}
+
+Result<std::vector<WrittenFile>> OutputSet::publish() {
+  std::vector<WrittenFile> written;
+  for (Pending& pending : pending_) {
+    if (Result<void> published = pending.publish(); !published) return published.error();
+    written.push_back(pending.file);
+  }
+  pending_.clear();
+  return written;
+}
+
+}  // namespace pentimento

@@ -1,0 +1,67 @@
+#pragma once
+// The files of a job while they are written: all are finished under temporary names first, then all
+// get their names, so that a failure leaves every old file as it was.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/simulation.h"
+#include "formats/hdf5/state_dump.h"
+#include "formats/io/picture_file.h"
+#include "replay/control.h"
+#include "replay/effective.h"
+#include "replay/output_plan.h"
+#include "replay/render_job.h"
+#include "replay/report.h"
+#include "replay/stopwatch.h"
+
+namespace pentimento {
+
+/// One moment of a canvas, ready to be shown.
+struct Scene {
+  const CanvasState& state;
+  const ChannelBasis& basis;
+  const Model& model;
+  const Lighting& lighting;
+};
+
+/// Outlives its OutputSet.
+struct OutputSettings {
+  const PictureChoice& picture;
+  OutputSize size;
+  int threads = 1;
+  const Control& control;
+};
+
+class OutputSet {
+ public:
+  OutputSet(const OutputSettings& settings, Stopwatch& watch);
+  ~OutputSet();
+
+  /// Shades `scene` once into all pictures among `outputs`. Errors: kIo, kUsage (crop, AOVs).
+  Result<void> add_pictures(const std::vector<PlannedOutput>& outputs, const Scene& scene,
+                            const Origin& origin);
+  /// Writes `dump` into all state files among `outputs`.
+  Result<void> add_states(const std::vector<PlannedOutput>& outputs, const StateDump& dump,
+                          const Origin& origin);
+  /// Gives all files their names.
+  Result<std::vector<WrittenFile>> publish();
+
+ private:
+  struct Pending;
+  Result<void> open_shader();
+  Result<void> create(const PlannedOutput& output, const Scene& scene, const Origin& origin);
+  Result<void> shade(const Scene& scene, std::size_t first_file);
+
+  const OutputSettings settings_;
+  Stopwatch& watch_;
+  std::unique_ptr<Shader> shader_;
+  std::vector<Pending> pending_;
+};
+
+/// Size in pixels of what is written: the crop, or the whole picture. Errors: kUsage, a crop that
+/// is not inside.
+Result<OutputSize> written_size(const PictureChoice& picture, const OutputSize& whole);
+
+}  // namespace pentimento

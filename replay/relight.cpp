@@ -1,0 +1,81 @@
+#include "replay/relight.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "formats/hdf5/state_dump.h"
+#include "replay/copies.h"
+#include "replay/effective.h"
+#include "replay/light_override.h"
+#include "replay/output_plan.h"
+#include "replay/output_set.h"
+#include "replay/stopwatch.h"
+
+namespace pentimento {
+
+namespace {
+Result<std::vector<PlannedOutput>> plan_pictures(const PictureChoice& picture) {
+  Result<std::vector<std::vector<PlannedOutput>>> plan = plan_outputs(picture.outputs, {});
+  if (!plan) return plan.error();
+  for (const PlannedOutput& output : plan->front()) {
+    if (output.kind == OutputKind::kState) {
+      return Error{ErrorCode::kUsage, "-o " + output.path + ": relight writes pictures only"};
+    }
+  }
+  return std::move(plan->front());
+}
+
+Origin origin_of(const StateDump& dump, const RelightJob& job) {
+  Origin origin;
+  origin.log_sha256 = dump.log_sha256;
+  origin.state_sha256 = dump.state_sha256;
+  origin.model = dump.model;
+  origin.grid = dump.state.geometry;
+  origin.steps_per_second = dump.steps_per_second;
+  origin.step = dump.state.step;
+  origin.time_s = dump.time_s;
+  origin.lighting = clone_lighting(dump.lighting);
+  origin.command = job.command;
+  return origin;
+}
+}  // namespace
+
+Result<JobReport> relight(const RelightJob& job, const Control& control) {
+  Stopwatch watch;
+  watch.start("read");
+  if (job.light.follow_gravity) {
+    return Error{ErrorCode::kUsage, "--light gravity: a state dump does not know the gravity"};
+  }
+  Result<std::vector<PlannedOutput>> outputs = plan_pictures(job.picture);
+  if (!outputs) return outputs.error();
+  Result<StateDump> dump = read_state(job.state);
+  if (!dump) return dump.error();
+  Result<LightOverride> light = LightOverride::make(job.light);
+  if (!light) return light.error();
+  light->apply(dump->lighting);
+  Result<OutputSize> size = output_size(job.size, dump->state.geometry);
+  if (!size) return size.error();
+
+  const Threads threads(job.threads);
+  const OutputSettings settings{job.picture, *size, threads.count(), control};
+  OutputSet set(settings, watch);
+  const Scene scene{dump->state, dump->basis, dump->model, dump->lighting};
+  if (Result<void> added = set.add_pictures(*outputs, scene, origin_of(*dump, job)); !added) {
+    return added.error();
+  }
+  watch.start("publish");
+  Result<std::vector<WrittenFile>> written = set.publish();
+  if (!written) return written.error();
+  watch.stop();
+  JobReport report;
+  report.outputs = std::move(*written);
+  report.threads = threads.count();
+  report.state_sha256 = report.guide_sha256 = dump->state_sha256;
+  report.log_sha256 = dump->log_sha256;
+  report.phases = watch.phases();
+  report.wall_s = watch.total_s();
+  report.peak_memory_bytes = peak_memory_bytes();
+  return report;
+}
+
+}  // namespace pentimento

@@ -1,0 +1,27 @@
+#pragma once
+// `pentimento relight`: a state dump is shaded again in other light, without simulation. In the
+// same light it gives the render's picture bit for bit.
+
+#include <string>
+
+#include "core/result.h"
+#include "replay/control.h"
+#include "replay/render_job.h"
+#include "replay/report.h"
+
+namespace pentimento {
+
+struct RelightJob {
+  std::string state;
+  SizeRequest size;
+  LightChoice light;
+  PictureChoice picture;
+  int threads = 0;
+  std::string command;  // without its -o
+};
+
+/// Errors: those of the dump; kUsage for outputs that are no pictures, or a lamp that would follow
+/// gravity, which a dump does not know.
+Result<JobReport> relight(const RelightJob& job, const Control& control);
+
+}  // namespace pentimento

@@ -1,0 +1,57 @@
+#pragma once
+// What `pentimento render` is asked to do, as plain values.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/model.h"
+#include "core/shading/shader.h"
+#include "formats/log/reader.h"
+#include "replay/output_size.h"
+#include "replay/stop_points.h"
+
+namespace pentimento {
+
+/// In place of what a log or dump says about the light.
+struct LightChoice {
+  std::optional<std::array<double, 3>> direction;  // viewer's frame, y up
+  bool follow_gravity = false;
+  std::optional<double> intensity;
+  std::string environment;  // a panorama's file; empty: as it is
+  std::optional<double> exposure_ev;
+};
+
+/// What is written, and how.
+struct PictureChoice {
+  std::vector<std::string> outputs;  // of -o
+  int bit_depth = 8;                 // of PNG: 8 or 16
+  bool full_float = false;           // of EXR
+  std::vector<std::string> aovs;
+  std::optional<std::array<int, 4>> crop;  // x, y, width, height in pixels of the whole picture
+  int tile = 1024;
+  GlBackend backend = GlBackend::kAuto;
+  bool no_clobber = false;
+};
+
+struct RenderJob {
+  std::string log;   // "-" = standard input
+  std::string from;  // a state dump to start from; empty: an empty canvas
+  SizeRequest size;
+  std::optional<double> sim_scale;  // simulation grid / output size
+  std::vector<StopPoint> stops;
+  std::optional<double> settle_s;
+  std::vector<std::pair<std::string, std::string>> model;  // --set, names without "model."
+  std::optional<std::array<double, 3>> gravity;            // m/s^2, y up, in place of the log's
+  LightChoice light;
+  PictureChoice picture;
+  int threads = 0;                         // 0 = all
+  std::optional<std::int64_t> max_memory;  // bytes; none: what the machine has
+  log::ReaderOptions reading;
+  std::string command;  // the command line without its -o, for provenance
+};
+
+}  // namespace pentimento

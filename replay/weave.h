@@ -1,0 +1,29 @@
+#pragma once
+// A plain weave, one over, one under: the height of woven cloth in 0..1 as a periodic function of
+// the unit square. Reaches the state: own arithmetic only.
+
+#include "core/field.h"
+
+namespace pentimento {
+
+struct WeaveShape {
+  int threads = 16;         // across one repeat, each way; even, so that the repeat closes
+  double unevenness = 0.0;  // 0..1: how much threads differ in thickness
+};
+
+/// How the unit square lies on a grid.
+struct TileGrid {
+  int width = 0;
+  int height = 0;
+  double cells_per_tile_x = 1;
+  double cells_per_tile_y = 1;
+};
+
+/// Means over cells, 0..1. With p(u) = sin^2(pi n u) the profile of a thread, s(u) = sin(pi n u)
+/// its going over and under, and q its thickness:
+///   height(u, v) = [q p(u) (1 + s(v) c(u)) + q p(v) (1 - s(u) c(v))] / 2, c = +-1 by thread
+/// Every term is a product of a function of u and one of v, so cell means are products of means
+/// along a row and along a column, taken with kMeanSamples midpoints per thread or more.
+Field<float> weave_height(const WeaveShape& shape, const TileGrid& grid);
+
+}  // namespace pentimento
