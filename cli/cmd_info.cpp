@@ -1,0 +1,39 @@
+// pentimento info FILE: what a log, a state dump or a picture holds.
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+
+#include "cli/command.h"
+#include "replay/file_info.h"
+
+namespace pentimento::cli {
+
+namespace {
+constexpr const char* kAbout =
+    "Tell what a log, a state dump or a picture holds; of outputs also where they come from and\n"
+    "the command that makes them again.\n\n"
+    "Examples:\n"
+    "  pentimento info session.jsonl\n"
+    "  pentimento info poster.png --json";
+}
+
+int run_info(const Arguments& arguments) {
+  std::string file;
+  bool json = false;
+  log::ReaderOptions reading;
+  CLI::App app(kAbout, "pentimento info");
+  app.add_option("file", file,
+                 "log, state dump (.h5), .png or .exr; `-` is a log on standard input")
+      ->required();
+  app.add_flag("--json", json, "one JSON object");
+  app.add_flag("--salvage", reading.salvage, "of a log that is cut short in its last line");
+  app.add_flag("--allow-outside", reading.allow_outside,
+               "the log may name files outside its folder");
+  if (const std::optional<int> code = parse(app, arguments)) return *code;
+  Result<FileInfo> info = file_info(file, reading);
+  if (!info) return fail(info.error());
+  return print(json ? info_json(*info) + "\n" : info_text(*info));
+}
+
+}  // namespace pentimento::cli

@@ -1,0 +1,57 @@
+// pentimento relight STATE.h5 -o OUT: other light, no simulation.
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+
+#include "cli/command.h"
+#include "cli/picture_options.h"
+#include "cli/talk.h"
+#include "replay/relight.h"
+
+namespace pentimento::cli {
+
+namespace {
+constexpr const char* kAbout =
+    "Shade a state dump again: other light, no simulation.\n\n"
+    "Examples:\n"
+    "  pentimento relight state.h5 -o evening.png --light=-1,0.2,0.3\n"
+    "  pentimento relight state.h5 -o studio.exr --environment studio.hdr --exposure 0.5";
+
+struct Options {
+  RelightJob job;
+  PictureOptions picture;
+  TalkOptions talk;
+};
+
+Result<void> complete(Options& o) {
+  Result<PictureChoice> picture = o.picture.picture();
+  if (!picture) return picture.error();
+  o.job.picture = std::move(*picture);
+  Result<LightChoice> light = o.picture.lighting();
+  if (!light) return light.error();
+  o.job.light = std::move(*light);
+  o.job.size = o.picture.size();
+  o.job.threads = o.picture.threads;
+  return check_standard_output(o.job.picture.outputs, o.talk.json);
+}
+}  // namespace
+
+int run_relight(const Arguments& arguments) {
+  Options o;
+  CLI::App app(kAbout, "pentimento relight");
+  app.add_option("state", o.job.state, "a state dump (.h5)")->required();
+  o.picture.add_to(app);
+  o.talk.add_to(app);
+  if (const std::optional<int> code = parse(app, arguments)) return *code;
+  o.job.command = command_line("relight", arguments);
+  if (Result<void> completed = complete(o); !completed) return fail(completed.error());
+  Result<ProgressMode> mode = progress_mode(o.talk.progress, o.talk.quiet);
+  if (!mode) return fail(mode.error());
+  ProgressPrinter printer(*mode);
+  Result<JobReport> done = relight(o.job, make_control(printer, o.talk));
+  if (!done) return fail(done.error());
+  return report(*done, o.talk);
+}
+
+}  // namespace pentimento::cli

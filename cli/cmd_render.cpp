@@ -1,0 +1,134 @@
+// pentimento render LOG -o OUT: the main job.
+
+#include <fmt/format.h>
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+
+#include "cli/command.h"
+#include "cli/picture_options.h"
+#include "cli/progress.h"
+#include "cli/talk.h"
+#include "cli/values.h"
+#include "replay/dry_run.h"
+#include "replay/render.h"
+
+namespace pentimento::cli {
+
+namespace {
+constexpr const char* kAbout =
+    "Replay a log and write pictures and state.\n\n"
+    "Examples:\n"
+    "  pentimento render session.jsonl -o picture.png\n"
+    "  pentimento render session.jsonl -o poster.png -o poster.exr --print 60x45cm --dpi 300\n"
+    "  pentimento render session.jsonl -o frame-%.png --at 10 --at 20 --at mark:glaze\n"
+    "  pentimento render session.jsonl -o state.h5 --json\n"
+    "  cat session.jsonl.zst | pentimento render - -o - > picture.png";
+
+struct Options {
+  RenderJob job;
+  PictureOptions picture;
+  TalkOptions talk;
+  std::vector<std::string> at, set;
+  std::string scheme, gravity, memory_limit;
+  bool dry_run = false;
+};
+
+void add_replay_options(CLI::App& app, Options& o) {
+  app.add_option("log", o.job.log, "the action log; `-` is standard input")->required();
+  app.add_option("--sim-scale", o.job.sim_scale, "simulation grid / output size")
+      ->check(CLI::Range(1e-3, 1e3));
+  app.add_option("--at", o.at, "stop at seconds, step:N or mark:NAME; repeatable, `%` in the name")
+      ->allow_extra_args(false);
+  app.add_option("--settle", o.job.settle_s, "go on for so many seconds after the end")
+      ->check(CLI::Range(0.0, 1e6));
+  app.add_option("--from", o.job.from, "start from a state dump")->type_name("STATE.h5");
+  app.add_option("--scheme", o.scheme, "of the fluid: conservative or paper");
+  app.add_option("--set", o.set, "a parameter of the model; repeatable")
+      ->allow_extra_args(false)
+      ->type_name("model.NAME=VALUE");
+  app.add_option("--gravity", o.gravity, "in place of the log's, m/s^2 (x right, y up, z out)")
+      ->type_name("X,Y,Z");
+}
+
+void add_limit_options(CLI::App& app, Options& o) {
+  log::Limits& limits = o.job.reading.limits;
+  app.add_flag("--salvage", o.job.reading.salvage,
+               "replay a log that is cut short in its last line");
+  app.add_flag("--allow-outside", o.job.reading.allow_outside,
+               "the log may name files outside its folder");
+  app.add_option("--memory-limit", o.memory_limit, "refuse a job that needs more (8G)");
+  app.add_option("--max-events", limits.max_events, "refuse a log with more")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--max-steps", limits.max_steps, "refuse a log that takes more")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--max-line", limits.max_line_bytes, "refuse longer lines, bytes")
+      ->check(CLI::PositiveNumber);
+  app.add_flag("--dry-run", o.dry_run, "tell size, steps, memory, disk and time; do nothing");
+}
+
+/// The text options into the job.
+Result<void> complete(Options& o) {
+  RenderJob& job = o.job;
+  if (!o.scheme.empty()) job.model.emplace_back("scheme", o.scheme);
+  for (const std::string& setting : o.set) {
+    Result<std::pair<std::string, std::string>> pair = parse_model_setting(setting);
+    if (!pair) return pair.error();
+    job.model.push_back(std::move(*pair));
+  }
+  for (const std::string& at : o.at) {
+    Result<StopPoint> point = parse_stop_point(at);
+    if (!point) return point.error();
+    job.stops.push_back(std::move(*point));
+  }
+  if (!o.gravity.empty()) {
+    Result<std::array<double, 3>> gravity = parse_vector("--gravity", o.gravity);
+    if (!gravity) return gravity.error();
+    job.gravity = *gravity;
+  }
+  if (!o.memory_limit.empty()) {
+    Result<std::int64_t> bytes = parse_bytes("--memory-limit", o.memory_limit);
+    if (!bytes) return bytes.error();
+    job.max_memory = *bytes;
+  }
+  Result<PictureChoice> picture = o.picture.picture();
+  if (!picture) return picture.error();
+  job.picture = std::move(*picture);
+  Result<LightChoice> light = o.picture.lighting();
+  if (!light) return light.error();
+  job.light = std::move(*light);
+  job.size = o.picture.size();
+  job.threads = o.picture.threads;
+  return check_standard_output(job.picture.outputs, o.talk.json && !o.dry_run);
+}
+
+int run(const Options& o, const Control& control) {
+  if (o.dry_run) {
+    Result<JobEstimate> estimate = dry_run(o.job, control);
+    if (!estimate) return fail(estimate.error());
+    return print(o.talk.json ? estimate_json(*estimate) + "\n" : estimate_text(*estimate));
+  }
+  Result<JobReport> done = render(o.job, control);
+  if (!done) return fail(done.error());
+  return report(*done, o.talk);
+}
+}  // namespace
+
+int run_render(const Arguments& arguments) {
+  Options o;
+  CLI::App app(kAbout, "pentimento render");
+  add_replay_options(app, o);
+  o.picture.add_to(app);
+  add_limit_options(app, o);
+  o.talk.add_to(app);
+  if (const std::optional<int> code = parse(app, arguments)) return *code;
+  o.job.command = command_line("render", arguments);
+  if (Result<void> completed = complete(o); !completed) return fail(completed.error());
+  Result<ProgressMode> mode = progress_mode(o.talk.progress, o.talk.quiet);
+  if (!mode) return fail(mode.error());
+  ProgressPrinter printer(*mode);
+  return run(o, make_control(printer, o.talk));
+}
+
+}  // namespace pentimento::cli

@@ -1,0 +1,16 @@
+// The command `pentimento`: a table of subcommands.
+
+#include <cstdio>
+
+#include "cli/dispatch.h"
+
+int main(int argc, char** argv) {
+  using namespace pentimento::cli;
+  static constexpr Command kCommands[] = {
+      {"render", "replay a log, write pictures and state", run_render},
+      {"relight", "shade a state dump again: other light, no simulation", run_relight},
+      {"info", "what a log, a state dump or a picture holds", run_info},
+      {"validate", "is this log right?", run_validate},
+  };
+  return dispatch(kCommands, Arguments(argv + 1, argv + argc));
+}

@@ -1,0 +1,47 @@
+#pragma once
+// The options that `render` and `relight` share: what is written, how large, in which light.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/result.h"
+#include "replay/render_job.h"
+
+namespace CLI {
+class App;
+}
+
+namespace pentimento::cli {
+
+/// As typed; values() turns them into what the job takes.
+struct PictureOptions {
+  std::vector<std::string> outputs;
+  std::optional<int> width, height;
+  std::optional<double> scale;
+  std::string print;
+  double dpi = 0;
+  std::string crop, aov, light, environment, backend = "auto";
+  std::optional<double> exposure;
+  int bit_depth = 8, tile = 1024, threads = 0;
+  bool full_float = false, no_clobber = false;
+
+  void add_to(CLI::App& app);
+  Result<PictureChoice> picture() const;
+  Result<LightChoice> lighting() const;
+  SizeRequest size() const;
+};
+
+/// How the job talks: progress, words, the closing report.
+struct TalkOptions {
+  bool quiet = false, json = false;
+  std::string progress = "auto";
+
+  void add_to(CLI::App& app);
+};
+
+/// Standard output cannot carry a picture and a report. Errors: kUsage.
+Result<void> check_standard_output(const std::vector<std::string>& outputs, bool json);
+
+}  // namespace pentimento::cli
