@@ -1,0 +1,49 @@
+// pentimento compare A B: what differs, how much, where.
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+
+#include "cli/command.h"
+#include "replay/compare/compare.h"
+
+namespace pentimento::cli {
+
+namespace {
+constexpr const char* kAbout =
+    "Compare two pictures or two state dumps, channel by channel. Exit code 0: equal within what\n"
+    "is allowed (nothing, unless a threshold is given); 1: they differ.\n\n"
+    "Examples:\n"
+    "  pentimento compare before.png after.png --flip 0.02\n"
+    "  pentimento compare a.h5 b.h5 --max 1e-6 --json";
+}
+
+int run_compare(const Arguments& arguments) {
+  std::string a, b;
+  CompareThresholds allowed;
+  bool json = false;
+  int thread_count = 0;
+  CLI::App app(kAbout, "pentimento compare");
+  app.add_option("a", a, "picture or state dump")->required();
+  app.add_option("b", b, "picture or state dump")->required();
+  app.add_option("--max", allowed.max, "largest difference allowed in each channel")
+      ->check(CLI::NonNegativeNumber);
+  app.add_option("--rms", allowed.rms, "largest RMS difference")->check(CLI::NonNegativeNumber);
+  app.add_option("--psnr", allowed.psnr_db, "smallest PSNR, dB");
+  app.add_option("--differing", allowed.differing, "largest share of differing values, 0..1")
+      ->check(CLI::Range(0.0, 1.0));
+  app.add_option("--flip", allowed.flip, "largest mean FLIP of pictures, 0..1")
+      ->check(CLI::Range(0.0, 1.0));
+  app.add_option("--threads", thread_count, "0 = all")->check(CLI::Range(0, 1024));
+  app.add_flag("--json", json, "one JSON object");
+  if (const std::optional<int> code = parse(app, arguments)) return *code;
+  const Threads threads(thread_count);
+  Result<Comparison> comparison = compare_files(a, b, allowed, threads);
+  if (!comparison) return fail(comparison.error());
+  const int printed =
+      print(json ? comparison_json(*comparison) + "\n" : comparison_text(*comparison));
+  if (printed != 0) return printed;
+  return comparison->equal ? 0 : 1;
+}
+
+}  // namespace pentimento::cli
