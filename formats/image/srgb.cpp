@@ -5,8 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "core/check.h"
-
 namespace pentimento {
 
 namespace {
@@ -28,11 +26,6 @@ double root(double x, int n) {
   }
   return y;
 }
-
-// A bucket is a range of floats with equal upper bits: 128 per octave, from 2^-20 to 1.
-constexpr int kBucketShift = 16;
-constexpr std::uint32_t kFirstBits = (127u - 20u) << 23;
-constexpr std::uint32_t kOneBits = 127u << 23;
 
 }  // namespace
 
@@ -65,22 +58,6 @@ SrgbEncoder::SrgbEncoder(int max_code)
     const auto above = std::upper_bound(threshold_.begin(), threshold_.end(), low);
     start_.push_back(static_cast<std::uint32_t>(above - threshold_.begin()) - 1);
   }
-}
-
-int SrgbEncoder::encode(float v) const {
-  if (!(v > 0)) return 0;
-  if (v >= 1) return max_code_;
-  const std::uint32_t bits = std::bit_cast<std::uint32_t>(v);
-  std::uint32_t code = bits < kFirstBits ? 0 : start_[(bits - kFirstBits) >> kBucketShift];
-  if (bits >= kFirstBits) {
-    // Close to where the value lies within its bucket; the thresholds decide.
-    const std::uint32_t next = start_[((bits - kFirstBits) >> kBucketShift) + 1];
-    const std::uint32_t within = bits & ((1u << kBucketShift) - 1);
-    code += ((next - code) * (within >> 4)) >> (kBucketShift - 4);
-  }
-  while (v >= threshold_[code + 1]) ++code;
-  while (v < threshold_[code]) --code;
-  return static_cast<int>(code);
 }
 
 }  // namespace pentimento

@@ -47,6 +47,8 @@ TEST(Srgb, ClampsWhatLiesOutside) {
   EXPECT_EQ(encoder.encode(-1.0f), 0);
   EXPECT_EQ(encoder.encode(-0.0f), 0);
   EXPECT_EQ(encoder.encode(1e-30f), 0);
+  EXPECT_EQ(encoder.encode(0.49f / 65535 / 12.92f), 0);
+  EXPECT_EQ(encoder.encode(0.51f / 65535 / 12.92f), 1);
   EXPECT_EQ(encoder.encode(1.0f), 65535);
   EXPECT_EQ(encoder.encode(INFINITY), 65535);
 }

@@ -70,7 +70,7 @@ TEST_P(PngDepth, PngcheckIsSilentAndFindsOneColourChunk) {
   options.dpi = 300;
   options.provenance = {{"software", "pentimento"}, {"title", "\xC3\xB6l"}};
   // Large enough for several blocks of rows.
-  ASSERT_TRUE(write_png(path, test::made_up_planes(900, 700, 3), options, 128));
+  ASSERT_TRUE(write_png(path, test::made_up_planes(500, 750, 3), options, 128));
   const auto [status, text] = test::run("pngcheck -v " + path);
   EXPECT_EQ(status, 0) << text;
   EXPECT_NE(text.find("chunk sRGB"), std::string::npos) << text;
@@ -89,12 +89,11 @@ TEST_P(PngDepth, BytesDependNeitherOnThreadsNorOnStrips) {
   options.bit_depth = GetParam();
   ASSERT_TRUE(write_png(scratch.path("a.png"), planes, options, 900));
   const std::string expected = slurp(scratch.path("a.png"));
-  for (const int threads : {1, 2, 7})
-    for (const int rows : {1, 64, 333}) {
-      options.threads = threads;
-      ASSERT_TRUE(write_png(scratch.path("b.png"), planes, options, rows));
-      EXPECT_EQ(slurp(scratch.path("b.png")), expected) << threads << " threads, " << rows;
-    }
+  for (const auto& [threads, rows] : {std::pair{1, 17}, {2, 900}, {7, 333}}) {
+    options.threads = threads;
+    ASSERT_TRUE(write_png(scratch.path("b.png"), planes, options, rows));
+    EXPECT_EQ(slurp(scratch.path("b.png")), expected) << threads << " threads, " << rows;
+  }
 }
 
 TEST(PngWriter, SmallestPicturesAreRight) {
