@@ -15,7 +15,6 @@ struct Touch {
   Reservoir reservoir;
   std::uint32_t stroke_id = 0;
   bool down = false;
-  bool needs_load = true;
 };
 
 PaintAccount empty_account(int channels) {
@@ -44,7 +43,7 @@ struct Simulation::Impl {
         brush(*builtin_brush("round")),
         tip(brush) {
     fresh_canvas();
-    find_load();
+    load = wanted_load();
   }
 
   /// Paper, no paint; the books start anew.
@@ -70,18 +69,20 @@ struct Simulation::Impl {
     transfer.emplace(state, contact, account, amount, threads);
   }
 
-  void find_load() {
+  /// What the sliders and the colour say the brush holds.
+  PaintLoad wanted_load() const {
     std::vector<float> per_amount(amount.size(), 0.0f);
-    if (pigment >= 0)
-      for (std::size_t c = 0; c < per_amount.size(); ++c)
-        per_amount[c] = setup.basis.load(static_cast<Eigen::Index>(c), pigment);
-    load = make_load(model, settings, per_amount, amount);
+    for (std::size_t c = 0; c < per_amount.size(); ++c)
+      per_amount[c] = setup.basis.load(static_cast<Eigen::Index>(c), pigment);
+    return make_load(model, settings, per_amount, amount);
   }
 
-  /// The load has changed: every brush is dipped anew when it next touches down.
+  /// Dips every brush anew if what it should hold has changed.
   void reload() {
-    find_load();
-    for (auto& [id, touch] : touches) touch.needs_load = true;
+    const PaintLoad wanted = wanted_load();
+    if (wanted.paint == load.paint) return;
+    load = wanted;
+    for (auto& [id, touch] : touches) touch.reservoir.fill(load);
   }
 
   SimulationSetup setup;
@@ -109,10 +110,8 @@ Simulation::Simulation(SimulationSetup setup, const Threads& threads)
 Simulation::~Simulation() = default;
 
 void Simulation::set_settings(const BrushSettings& settings) {
-  const bool other_load = settings.medium_frac != impl_->settings.medium_frac ||
-                          settings.pigment_frac != impl_->settings.pigment_frac;
   impl_->settings = settings;
-  if (other_load) impl_->reload();
+  impl_->reload();
 }
 
 void Simulation::set_brush(const BrushDefinition& brush) {
@@ -129,17 +128,14 @@ void Simulation::set_brush(const BrushDefinition& brush) {
 void Simulation::set_color(int pigment) {
   PENTIMENTO_CHECK(pigment >= 0 && pigment < impl_->setup.basis.load.cols());
   impl_->pigment = pigment;
-  impl_->find_load();
-  for (auto& [id, touch] : impl_->touches) {
-    touch.reservoir.fill(impl_->load);
-    touch.needs_load = false;
-  }
+  impl_->load = impl_->wanted_load();
+  for (auto& [id, touch] : impl_->touches) touch.reservoir.fill(impl_->load);
 }
 
 void Simulation::begin_stroke(int touch_id, std::uint32_t stroke_id) {
-  Touch& touch = impl_->touches.try_emplace(touch_id, impl_->state.channels).first->second;
-  if (touch.needs_load) touch.reservoir.fill(impl_->load);
-  touch.needs_load = false;
+  const auto [found, is_new] = impl_->touches.try_emplace(touch_id, impl_->state.channels);
+  Touch& touch = found->second;
+  if (is_new) touch.reservoir.fill(impl_->load);
   touch.down = true;
   touch.stroke_id = stroke_id;
   touch.reservoir.density_frac = 1;
@@ -167,7 +163,7 @@ void Simulation::set_gravity(Vec3f gravity_m_s2) {
 void Simulation::set_model(const Model& model) {
   PENTIMENTO_CHECK(model.scheme == impl_->model.scheme && model.layers == impl_->model.layers);
   impl_->model = model;
-  impl_->find_load();
+  impl_->reload();
   impl_->state.sleep.clear();  // what rested may not rest under other parameters
 }
 

@@ -38,6 +38,7 @@ class Simulation {
   ~Simulation();
 
   // The hand: what the brush is, holds and does.
+  /// Sliders that change what the brush holds (medium, pigment) load it afresh, as a colour does.
   void set_settings(const BrushSettings& settings);
   void set_brush(const BrushDefinition& brush);
   /// Loads every brush with `pigment` (an index into the palette the basis was made from).
@@ -55,9 +56,11 @@ class Simulation {
   void dry();
   /// A fresh canvas: paper as at the start; the paint account starts anew.
   void clear();
-  /// An image becomes the dry layer: one plane per band, linear reflectance, of the grid's size.
+  /// A fresh canvas with an image as its dry layer: one plane per band, linear reflectance, of the
+  /// grid's size.
   void load(const std::vector<Field<float>>& reflectance);
-  /// Goes on from a dumped state (same geometry, layers and channels).
+  /// Goes on from a dumped state (same geometry, layers and channels). What is wet in it opens the
+  /// paint account as deposited.
   void restore(CanvasState state);
 
   /// One simulation step. Returns false if it changed nothing and nothing waits: the caller may
