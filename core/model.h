@@ -34,8 +34,10 @@ struct Model {
   float crowding_m_s2 = 200.0f;     // pressure of paint 20 % deeper than max_medium, per slope
   float sleep_tile_m = 1.0f / 32;   // side of a tile that sleeps or wakes as a whole
   float wake_gravity_m_s2 = 0.05f;  // a change of gravity that wakes sleeping paint
-  int viscosity_cycles = 5;         // V-cycles per step and velocity component
-  int height_cycles = 4;            // V-cycles per step
+  float most_cells_moved = 1.0f;    // faster paint makes a step of several parts...
+  int most_parts_of_step = 8;       // ...but not of more than these
+  int viscosity_cycles = 3;         // V-cycles per step and velocity component
+  int height_cycles = 3;            // V-cycles per step
 
   // Brush and transfer (R21-R28).
   float film_medium_m = 0.002f;    // one pass with full medium slider lays this (mean over tip)

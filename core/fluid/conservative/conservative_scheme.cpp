@@ -20,6 +20,15 @@ float cap_of(const Model& model) {
   return model.speed_cap_m_s > 0 ? model.speed_cap_m_s : 1e9f;  // 0 = off
 }
 
+// Into how many parts a step is cut so that no paint comes further than it should in one.
+int parts_of_step(const Model& model, float reach_cells) {
+  int parts = 1;
+  while (parts < model.most_parts_of_step &&
+         reach_cells > model.most_cells_moved * static_cast<float>(parts))
+    ++parts;
+  return parts;
+}
+
 float positive(float x) {
   return x > 0 ? x : 0.0f;
 }
@@ -61,20 +70,28 @@ bool ConservativeScheme::step(CanvasState& state, const StepInput& in) {
   work_.solver.set_runs(tiles_->runs());
 
   settle_quanta(state, in);
-  transport(state, in);
+  const int parts = parts_of_step(in.model, tiles_->reach_cells());
+  for (int part = 0; part < parts; ++part) {
+    const BrushContact& contact = part == 0 ? in.contact : untouched_;  // the push, once
+    const float dt_s = in.dt_s / static_cast<float>(parts);
+    part_of_step(state, {in.model, in.gravity_m_s2, dt_s, contact, in.amount, in.threads}, part);
+  }
+  tiles_->fall_asleep(state, in, [&](const CellBox& b) { return feels_gravity(b); });
+  account(state, in);
+  return true;
+}
+
+void ConservativeScheme::part_of_step(CanvasState& state, const StepInput& in, int part) {
+  transport(state, in, (state.step + part) % 2 == 0);
   find_rheology(state, in);
   find_faces(state, in);
   apply_viscosity(state, in);
   apply_forces(in);
   solve_height(state, in);
   finish(state, in);
-  tiles_->fall_asleep(state, in, [&](const CellBox& b) { return feels_gravity(b); });
-  account(state, in);
-  return true;
 }
 
-void ConservativeScheme::transport(CanvasState& state, const StepInput& in) {
-  const bool even = state.step % 2 == 0;
+void ConservativeScheme::transport(CanvasState& state, const StepInput& in, bool even) {
   const Axis first = even ? Axis::kX : Axis::kY;
   const Axis second = even ? Axis::kY : Axis::kX;
   fill_node_masses(state, *tiles_, in.threads, work_);

@@ -3,6 +3,10 @@
 // implicit viscosity and pressure by multigrid, bed friction, sleeping tiles. What it departs from
 // in the paper, and why, is in docs/numerics.md.
 //
+// A step is cut into equal parts where paint would come further than Model::most_cells_moved in one:
+// the face depths of the pressure are those at the start of a part, and a front that moves through
+// several cells meanwhile breaks up into drops (docs/numerics.md).
+//
 // velocity_x_m_s(i, j) lives on the right face of cell (i, j), velocity_y_m_s(i, j) on its lower
 // face; the last column and row are walls and hold 0.
 
@@ -22,7 +26,8 @@ class ConservativeScheme : public FluidScheme {
   std::vector<std::pair<std::string, double>> statistics() const override;
 
  private:
-  void transport(CanvasState& state, const StepInput& in);
+  void part_of_step(CanvasState& state, const StepInput& in, int part);
+  void transport(CanvasState& state, const StepInput& in, bool even);
   void find_rheology(const CanvasState& state, const StepInput& in);
   void find_faces(const CanvasState& state, const StepInput& in);
   void apply_viscosity(const CanvasState& state, const StepInput& in);
@@ -35,6 +40,7 @@ class ConservativeScheme : public FluidScheme {
   CanvasGeometry geometry_;
   std::unique_ptr<Tiles> tiles_;  // made at the first step: their size is a parameter
   Workspace work_;
+  BrushContact untouched_;  // of no size: nothing is touched
   double steps_ = 0;
   double awake_share_sum_ = 0;
   double awake_share_max_ = 0;

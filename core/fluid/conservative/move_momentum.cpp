@@ -1,38 +1,52 @@
 #include <algorithm>
 
 #include "core/fluid/conservative/block.h"
+#include "core/fluid/conservative/kernel.h"
 #include "core/fluid/conservative/remap_momentum.h"
 #include "core/fluid/conservative/transport.h"
 
 namespace pentimento::conservative {
 namespace {
 
-// Edges of x nodes moving along x, and of y nodes along y, are cell centres: the mean of the two
-// faces of that cell. Inner edge e lies in the cell of node e.
-template <typename Row>
-void edges_at_centres(const Block& b, float to_cells, const Row& velocity_row, float* edge) {
-  const int back_y = b.axis == Axis::kY ? 1 : 0;
-  for_inner_edges(b, [&](int first, int n, int x, int y) {
-    const float* before = velocity_row(y) + x;
-    const float* after = back_y ? velocity_row(y + 1) + x : before + 1;
-    for (int i = 0; i < n; ++i) edge[first + i] = 0.5f * to_cells * (before[i] + after[i]);
-  });
+// A row of faces: their velocity and the paint around them.
+struct FaceFlow {
+  const float* velocity;
+  const float* mass;
+};
+
+// Displacement of an edge between two faces: their mean velocity, by mass, so that a front next to
+// dry canvas moves as fast as its paint.
+PENTIMENTO_KERNEL
+void mean_row(const FaceFlow& a, const FaceFlow& b, float to_cells, int n, float* __restrict edge) {
+  const float* __restrict mass_a = a.mass;
+  const float* __restrict mass_b = b.mass;
+  const float* __restrict u_a = a.velocity;
+  const float* __restrict u_b = b.velocity;
+  PENTIMENTO_INDEPENDENT
+  for (int i = 0; i < n; ++i) {
+    const float mass = mass_a[i] + mass_b[i];
+    const float momentum = mass_a[i] * u_a[i] + mass_b[i] * u_b[i];
+    edge[i] = mass > 0 ? to_cells * (momentum / (mass > 0 ? mass : 1.0f)) : 0.0f;
+  }
 }
 
-// Edges of nodes moving along the other axis are corners of cells: the mean of the two faces that
-// meet there, `beside` being the next column (x nodes) or the next row (y nodes).
-void edges_at_corners(const Block& b, float to_cells, const Field<float>& velocity, float* edge) {
+// Edges of x nodes moving along x, and of y nodes along y, are cell centres: between the two faces
+// of that cell. Edges of the other component's nodes are corners of cells: between the two faces
+// that meet there, of this column and the next, or of this row and the next.
+// `other`: how far the second face is from the first.
+struct Offset {
+  int x = 0, y = 0;
+};
+void fill_edges(const Block& b, float to_cells, const Field<float>& velocity, const WorkPlane& mass,
+                Offset other, float* edge) {
   const int last_x = velocity.width() - 1;
   const int last_y = velocity.height() - 1;
   for_inner_edges(b, [&](int first, int n, int x, int y) {
-    const float* here = velocity.row(y);
-    if (b.axis == Axis::kY) {
-      for (int i = 0; i < n; ++i)
-        edge[first + i] = 0.5f * to_cells * (here[x + i] + here[std::min(x + i + 1, last_x)]);
-    } else {
-      const float* beside = velocity.row(std::min(y + 1, last_y));
-      for (int i = 0; i < n; ++i) edge[first + i] = 0.5f * to_cells * (here[x + i] + beside[x + i]);
-    }
+    const int y2 = std::min(y + other.y, last_y);
+    const int inner = std::min(n, last_x + 1 - x - other.x);  // the last column has no next one
+    const auto at = [&](int i, int j) { return FaceFlow{velocity.row(j) + i, mass.row(j) + i}; };
+    mean_row(at(x, y), at(x + other.x, y2), to_cells, inner, edge + first);
+    if (inner < n) mean_row(at(last_x, y), at(last_x, y2), to_cells, 1, edge + first + n - 1);
   });
 }
 
@@ -65,6 +79,8 @@ void fill_node_masses(const CanvasState& state, const Tiles& tiles, const Thread
     for (int x = r.x0; x < inner; ++x) mx[x] = 0.5f * (d[x] + d[x + 1]);
     if (r.x1 == width) mx[width - 1] = 0.5f * d[width - 1];
     for (int x = r.x0; x < r.x1; ++x) my[x] = 0.5f * (d[x] + below[x]);
+    std::copy_n(mx + r.x0, r.size(), work.x.first_mass_m.row(r.y) + r.x0);
+    std::copy_n(my + r.x0, r.size(), work.y.first_mass_m.row(r.y) + r.x0);
   });
 }
 
@@ -86,6 +102,9 @@ void move_momentum(const CanvasState& state, const StepInput& in, Axis axis, con
       in.dt_s / (axis == Axis::kX ? state.geometry.dx_m() : state.geometry.dy_m());
   NodePlanes& along = axis == Axis::kX ? work.x : work.y;
   NodePlanes& across = axis == Axis::kX ? work.y : work.x;
+  const Offset right{1, 0}, down{0, 1};
+  const Offset to_next = axis == Axis::kX ? right : down;
+  const Offset to_side = axis == Axis::kX ? down : right;
   for_blocks(tiles, axis, in.threads, [&](int begin, int end, const auto& block_at) {
     Mover mover;
     for (int k = begin; k < end; ++k) {
@@ -93,10 +112,9 @@ void move_momentum(const CanvasState& state, const StepInput& in, Axis axis, con
       mover.plan.resize(b.cells(), b.step());
       mover.scratch.resize(b.cells(), b.step());
       std::fill(mover.plan.edge.begin(), mover.plan.edge.end(), 0.0f);
-      edges_at_centres(
-          b, to_cells, [&](int y) { return u.row(y); }, mover.plan.edge.data());
+      fill_edges(b, to_cells, u, along.first_mass_m, to_next, mover.plan.edge.data());
       mover.move(b, options, along);
-      edges_at_corners(b, to_cells, u, mover.plan.edge.data());
+      fill_edges(b, to_cells, u, along.first_mass_m, to_side, mover.plan.edge.data());
       mover.move(b, options, across);
     }
   });

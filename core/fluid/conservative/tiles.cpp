@@ -128,7 +128,9 @@ std::vector<int> Tiles::wake(const CanvasState& state, const StepInput& in) {
     for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k)
       motion[k] = flow_in(state, list_[k], in.dt_s);
   });
+  reach_cells_ = 0;
   for (std::size_t k = 0; k < motion.size(); ++k) {
+    reach_cells_ = std::max({reach_cells_, motion[k].reach_x, motion[k].reach_y});
     disturbed_[static_cast<std::size_t>(list_[k])] = !motion[k].box.empty();
     wake_around(motion[k]);
   }

@@ -43,6 +43,8 @@ class Tiles {
   bool awake(int column, int row) const {
     return awake_[static_cast<std::size_t>(row * columns_ + column)] != 0;
   }
+  /// How far the fastest paint awake comes in one step, in cells; known after wake().
+  float reach_cells() const { return reach_cells_; }
   double awake_share() const { return static_cast<double>(list_.size()) / count(); }
   const std::vector<int>& awake_tiles() const { return list_; }
 
@@ -87,6 +89,7 @@ class Tiles {
   int tile_width_, tile_height_, columns_, rows_;
   std::vector<std::uint8_t> awake_, was_awake_;
   std::vector<std::uint8_t> disturbed_;  // touched, or moving at the start of the step
+  float reach_cells_ = 0;
   std::vector<int> list_;
   std::vector<Run> runs_;
   std::vector<CellBox> strips_;

@@ -6,8 +6,9 @@ namespace {
 template <typename Visit>
 void for_planes(Workspace& w, const Visit& visit) {
   for (NodePlanes* n : {&w.x, &w.y})
-    for (WorkPlane* p : {&n->mass_m, &n->velocity_m_s, &n->depth_m, &n->mobility_frac,
-                         &n->viscosity_m2_s, &n->friction_frac, &n->pressure_m_s})
+    for (WorkPlane* p :
+         {&n->mass_m, &n->first_mass_m, &n->velocity_m_s, &n->depth_m, &n->mobility_frac,
+          &n->viscosity_m2_s, &n->friction_frac, &n->pressure_m_s})
       visit(*p);
   for (WorkPlane* p : {&w.height_m, &w.mobility_frac, &w.viscosity_m2_s, &w.crowding_m_s2})
     visit(*p);
