@@ -202,7 +202,8 @@ Result<std::unique_ptr<PictureFile>> create_exr(const std::string& path,
   if ((*file)->is_stream())
     return Error{ErrorCode::kUsage, path + ": an EXR cannot be written to a pipe or a device"};
   const int threads = Threads(options.threads).count();
-  if (threads > Imf::globalThreadCount()) Imf::setGlobalThreadCount(threads);
+  // OpenEXR's pool serves the whole process; with none of its threads the caller compresses.
+  if (threads > 1 && threads > Imf::globalThreadCount()) Imf::setGlobalThreadCount(threads);
   try {
     return std::unique_ptr<PictureFile>(std::make_unique<ExrFile>(path, std::move(*file), options));
   } catch (const std::exception& error) {
