@@ -94,8 +94,8 @@ void draw_bristle(std::uint64_t seed, int index, Field<float>& map) {
     return random_uniform(RandomPurpose::kBristle, seed,
                           (std::uint64_t{9} << 32) + static_cast<std::uint64_t>(index) * 8 + k);
   };
-  // Uniform in the ellipse: the angle by rejection-free mapping of two uniforms in a square would
-  // need a sine; points outside are pulled in instead, which thickens the rim as in a worn brush.
+  // Uniform in the square; what falls outside the ellipse is pulled in, so that the rim is denser,
+  // as in a brush that has been used.
   float u = 2 * uniform(0) - 1;
   float v = 2 * uniform(1) - 1;
   const float r = std::sqrt(u * u + v * v);

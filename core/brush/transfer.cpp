@@ -16,7 +16,7 @@ constexpr float kSmallestCells = 1.5f;       // diameter of the smallest tip a g
 constexpr float kRefillDiameters = 0.1f;     // R22: distance that the refill share is of
 constexpr float kDryingPerDiameter = 5e-3f;  // R24, A21
 constexpr float kDryFrac = 1e-3f;            // of max_medium: thinner is dry canvas (A21)
-constexpr float kWeaveReach_m = 3e-4f;       // relief of a linen; look: levelling beside the film
+constexpr float kWeaveReach_m = 3e-4f;       // of a linen's relief: levels beside the film's own
 constexpr int kRowsPerTask = 8;
 constexpr int kCellsWorthThreads = 3000;  // some 0.2 ms of work; handing out rows costs 10 us
 
@@ -78,13 +78,30 @@ Transfer::Transfer(CanvasState& state, BrushContact& contact, PaintAccount& acco
 void Transfer::apply(const Stamp& stamp, const BrushInHand& hand, const Model& model,
                      Reservoir& reservoir) {
   if (!(hand.tip.mean() > 0) || !(stamp.travel_m >= 0)) return;
+  Plan plan;
+  place(stamp, hand, reservoir, plan);
+  if (plan.box.empty()) return;
+  set_rates(stamp, hand, model, reservoir, plan);
+  planes_.find(state_);
+  prepare(plan.box, plan.stride);
+
+  for_rows(plan, &Transfer::measure_rows);
+  find_mean_height(plan);
+  for_rows(plan, &Transfer::lift_rows);
+  take_up(plan, hand, reservoir);
+  if (!find_share_scale(plan)) return;
+  for_rows(plan, &Transfer::lay_rows);
+  settle(plan, hand, reservoir);
+}
+
+/// Where the stamp lies and what it is made of.
+void Transfer::place(const Stamp& stamp, const BrushInHand& hand, const Reservoir& reservoir,
+                     Plan& plan) const {
   const CanvasGeometry& geometry = state_.geometry;
   const float cell_m = std::sqrt(geometry.dx_m() * geometry.dy_m());
-  Plan plan;
   plan.pose = pose_of(stamp, hand.brush, kSmallestCells * cell_m);
   plan.extent = hand.tip.extent();
   plan.box = box_of(plan.pose, plan.extent, geometry);
-  if (plan.box.empty()) return;
   plan.stamp = &stamp;
   plan.tip = &hand.tip;
   plan.level = &hand.tip.level_for(cell_m / plan.pose.diameter_m);
@@ -93,12 +110,16 @@ void Transfer::apply(const Stamp& stamp, const BrushInHand& hand, const Model& m
   plan.stride = reservoir.stride();
   plan.mean = hand.tip.mean();
   plan.stroke_id = hand.stroke_id;
-  plan.dry_m = kDryFrac * model.max_medium_m;
+}
 
+/// How much the stamp lifts, lays, mixes and pushes, from sliders, pressure and distance.
+void Transfer::set_rates(const Stamp& stamp, const BrushInHand& hand, const Model& model,
+                         const Reservoir& reservoir, Plan& plan) const {
   const BrushSettings& settings = hand.settings;
   const float pressure = stamp.pressure < 0 ? 1.0f : std::min(stamp.pressure, 1.0f);
   const double diameters =
       static_cast<double>(stamp.travel_m) / static_cast<double>(plan.pose.diameter_m);
+  plan.dry_m = kDryFrac * model.max_medium_m;
   plan.lift.share_frac = share_over(settings.pickup, diameters);
   plan.lift.residue = model.pigment_residue;
   if (stamp.pressure >= 0)
@@ -116,26 +137,22 @@ void Transfer::apply(const Stamp& stamp, const BrushInHand& hand, const Model& m
   plan.level_per_m = model.contact_levelling * (2 * reservoir.density_frac - 1) /
                      (model.film_medium_m * settings.medium_frac + kWeaveReach_m);
   plan.push_m = model.brush_push * stamp.travel_m;
+}
 
-  planes_.find(state_);
-  prepare(plan.box, plan.stride);
-  for_rows(plan, &Transfer::measure_rows);
-  find_mean_height(plan);
-  for_rows(plan, &Transfer::lift_rows);
-  take_up(plan, hand, reservoir);
+/// Levelling only redistributes. Whole on the canvas, the tip lays its exact total; cut by the
+/// border, what its cells say. False if nothing can be laid.
+bool Transfer::find_share_scale(Plan& plan) const {
   double value = 0, share = 0;
   for (int y = 0; y < plan.box.height; ++y) {
     value += row_[static_cast<std::size_t>(y)].value;
     share += row_[static_cast<std::size_t>(y)].share;
   }
-  if (!(share > 0)) return;
-  // Whole on the canvas, the tip lays its exact total; cut by the border, what its cells say.
+  if (!(share > 0)) return false;
   const double whole = static_cast<double>(plan.pose.diameter_m) *
                        static_cast<double>(plan.pose.diameter_m) * static_cast<double>(plan.mean) /
-                       geometry.cell_area_m2();
+                       state_.geometry.cell_area_m2();
   plan.share_scale = static_cast<float>((plan.box.inside ? whole : value) / share);
-  for_rows(plan, &Transfer::lay_rows);
-  settle(plan, hand, reservoir);
+  return true;
 }
 
 void Transfer::prepare(const CellBox& box, int stride) {

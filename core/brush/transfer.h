@@ -65,6 +65,11 @@ class Transfer {
   void for_rows(const Plan& plan, void (Transfer::*pass)(const Plan&, int, int));
   void prepare(const CellBox& box, int stride);
   void find_mean_height(Plan& plan) const;
+  void place(const Stamp& stamp, const BrushInHand& hand, const Reservoir& reservoir,
+             Plan& plan) const;
+  void set_rates(const Stamp& stamp, const BrushInHand& hand, const Model& model,
+                 const Reservoir& reservoir, Plan& plan) const;
+  bool find_share_scale(Plan& plan) const;
   void take_up(const Plan& plan, const BrushInHand& hand, Reservoir& reservoir);
   void settle(const Plan& plan, const BrushInHand& hand, Reservoir& reservoir);
   void add_to(const Plan& plan, PaintFlow& flow);
