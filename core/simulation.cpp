@@ -1,11 +1,11 @@
 #include "core/simulation.h"
 
-#include <cmath>
 #include <optional>
 
 #include "core/brush/builtin_brushes.h"
 #include "core/brush/transfer.h"
 #include "core/drying.h"
+#include "core/finite.h"
 
 namespace pentimento {
 
@@ -25,10 +25,12 @@ PaintAccount empty_account(int channels) {
 }
 
 std::string non_finite_in(const Field<float>& plane, const std::string& name) {
-  for (int y = 0; y < plane.height(); ++y)
+  for (int y = 0; y < plane.height(); ++y) {
+    if (all_finite(plane.view().row_span(y))) continue;
     for (int x = 0; x < plane.width(); ++x)
-      if (!std::isfinite(plane(x, y)))
+      if (!all_finite({&plane(x, y), 1}))
         return name + " at cell (" + std::to_string(x) + "," + std::to_string(y) + ")";
+  }
   return {};
 }
 }  // namespace
