@@ -20,8 +20,15 @@ struct Block {
 /// Copies the block's cells of a plane (anything with row(y)) to or from a flat array.
 template <typename Plane>
 void load_block(const Block& b, const Plane& plane, float* out) {
-  for (int y = b.box.y0; y < b.box.y1; ++y, out += b.width())
+  constexpr int kAhead = 12;  // rows of a strip lie pages apart, which hardware does not foresee
+  for (int y = b.box.y0; y < b.box.y1; ++y, out += b.width()) {
+    if (y + kAhead < b.box.y1) {
+      const float* ahead = plane.row(y + kAhead) + b.box.x0;
+      __builtin_prefetch(ahead);
+      __builtin_prefetch(ahead + b.width() - 1);
+    }
     std::copy_n(plane.row(y) + b.box.x0, b.width(), out);
+  }
 }
 template <typename Plane>
 void store_block(const Block& b, const float* in, Plane& plane) {

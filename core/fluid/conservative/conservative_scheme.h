@@ -3,9 +3,9 @@
 // implicit viscosity and pressure by multigrid, bed friction, sleeping tiles. What it departs from
 // in the paper, and why, is in docs/numerics.md.
 //
-// A step is cut into equal parts where paint would come further than Model::most_cells_moved in one:
-// the face depths of the pressure are those at the start of a part, and a front that moves through
-// several cells meanwhile breaks up into drops (docs/numerics.md).
+// A step is cut into equal parts where paint would come further than Model::most_cells_moved in
+// one: the face depths of the pressure are those at the start of a part, and a front that moves
+// through several cells meanwhile breaks up into drops (docs/numerics.md).
 //
 // velocity_x_m_s(i, j) lives on the right face of cell (i, j), velocity_y_m_s(i, j) on its lower
 // face; the last column and row are walls and hold 0.

@@ -60,10 +60,10 @@ class PaintMover {
     for (int layer = 0; layer < state_.layers; ++layer) {
       for (int c = 0; c < state_.channels; ++c) {
         load_block(b, state_.channel(layer, c), held_.data());
-        float most = 0;
-        for (const float amount : held_) most = amount > most ? amount : most;
-        present_[at(layer * state_.channels + c)] = most > 0;
-        if (!(most > 0)) continue;
+        int painted = 0;
+        for (const float amount : held_) painted += amount > 0 ? 1 : 0;
+        present_[at(layer * state_.channels + c)] = painted > 0;
+        if (painted == 0) continue;
         const auto count = static_cast<float>(layer + 1);
         for (std::size_t i = 0; i < held_.size(); ++i)
           occupied_[i] = held_[i] > 0 ? count : occupied_[i];

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <fstream>
 #include <sstream>
 
@@ -60,6 +61,43 @@ TEST(ConservativeScheme, SurvivesShakingAt10Hz) {
     }
     expect_whole(b, depth, pigment, gz > 0 ? "shaken face up" : "shaken in free fall");
   }
+}
+
+// A device picked up, pocketed and carried for 30 s (samples/data/gravity/SOURCE.txt): what it
+// reads in units of g, x right, y up, z out, gravity and the hand's own acceleration. Lying face up
+// it reads z = -1, so that the specific force is its negative.
+std::vector<std::pair<double, Vec3f>> carried() {
+  std::ifstream in(std::string(PENTIMENTO_SAMPLES) + "/data/gravity/iphone_balance.csv");
+  std::vector<std::pair<double, Vec3f>> out;
+  std::string line;
+  std::getline(in, line);  // names of the columns
+  while (std::getline(in, line)) {
+    std::istringstream cells(line);
+    std::array<float, 7> v{};
+    for (float& x : v) {
+      std::string cell;
+      std::getline(cells, cell, ',');
+      x = std::stof(cell);
+    }
+    const float g = -9.80665f;
+    out.push_back({v[0], {g * (v[1] + v[4]), -g * (v[2] + v[5]), g * (v[3] + v[6])}});
+  }
+  return out;
+}
+
+TEST(ConservativeScheme, SurvivesBeingPickedUpAndCarried) {
+  const auto readings = carried();
+  ASSERT_GT(readings.size(), 1000u);
+  Basin b = wet_canvas(64, 48);
+  const double depth = total(b.state.depth_m);
+  const double pigment = total(b.state.channel(0, 0));
+  std::size_t k = 0;
+  for (int i = 0; i < 30 * 45; ++i) {
+    while (k + 1 < readings.size() && readings[k + 1].first <= i / 45.0) ++k;
+    b.gravity_m_s2 = readings[k].second;
+    b.step();
+  }
+  expect_whole(b, depth, pigment, "carried");
 }
 
 }  // namespace
