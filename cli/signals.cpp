@@ -21,6 +21,7 @@ const std::atomic<bool>& watch_signals() {
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
   std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is an error of writing, not a death
+  std::signal(SIGXFSZ, SIG_IGN);  // so is a file that may not grow
   return asked_to_stop;
 }
 

@@ -33,8 +33,8 @@ void viscous_row(const ViscousNodes& nodes, float per_dx2, float per_dy2, int n,
     const float held_x = (left == 0 ? own_x : 0.0f) + (right == 0 ? own_x : 0.0f);
     const float held_y = (up == 0 ? own_y : 0.0f) + (down == 0 ? own_y : 0.0f);
     const float u = velocity[i] * (wet ? 1.0f : 0.0f);
-    cx[i] = joint_x * (wet & (right > 0) ? 1.0f : 0.0f);
-    cy[i] = joint_y * (wet & (down > 0) ? 1.0f : 0.0f);
+    cx[i] = joint_x * ((wet & (right > 0)) ? 1.0f : 0.0f);
+    cy[i] = joint_y * ((wet & (down > 0)) ? 1.0f : 0.0f);
     z[i] = 1 + (held_x + held_y);
     rhs[i] = u;
     solution[i] = u;
