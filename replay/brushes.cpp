@@ -47,7 +47,6 @@ Result<BrushTable> BrushTable::make(const log::Header& header, LogFiles& files) 
     if (!brush) return brush.error();
     table.brushes_.insert_or_assign(spec.name, std::move(*brush));
   }
-  if (!header.brushes.empty()) table.first_ = header.brushes.front().name;
   return table;
 }
 

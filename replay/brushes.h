@@ -18,14 +18,13 @@ class BrushTable {
   /// The built-in brushes alone.
   BrushTable();
 
-  /// The brush in the hand before the log names one: the header's first, else `round`.
-  const BrushDefinition& first() const { return brushes_.at(first_); }
+  /// The brush in the hand before the log names one: `round`.
+  const BrushDefinition& first() const { return find("round"); }
   /// `name` is in the header or built in (the reader checked it).
   const BrushDefinition& find(const std::string& name) const;
 
  private:
   std::map<std::string, BrushDefinition> brushes_;
-  std::string first_ = "round";
 };
 
 }  // namespace pentimento
