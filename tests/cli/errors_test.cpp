@@ -1,0 +1,131 @@
+// Every exit code, in one line, with nothing written and old files as they were.
+
+#include <gtest/gtest.h>
+
+#include "tests/cli/command_run.h"
+
+namespace pentimento::test {
+namespace {
+
+/// The command fails with `code`, one line on standard error, and leaves `files` files.
+void expect_failure(const Workplace& place, const std::string& arguments, int code,
+                    std::size_t files) {
+  const Ran ran = place.run(arguments);
+  EXPECT_EQ(ran.code, code) << arguments << "\n" << ran.err;
+  EXPECT_EQ(lines_in(ran.err), 1u) << ran.err;
+  EXPECT_EQ(ran.err.substr(0, 12), "pentimento: ") << ran.err;
+  EXPECT_EQ(ran.out, "");
+  EXPECT_EQ(place.files(), files) << arguments;
+}
+
+TEST(CommandErrors, WrongUsageIsTwo) {
+  const Workplace place;
+  for (const char* wrong :
+       {"", "rendr", "render", "render a.jsonl", "render a.jsonl -o a.jpg",
+        "render a.jsonl -o a.png --nonsense", "render a.jsonl -o a.png --bit-depth 9",
+        "render a.jsonl -o a.png --threads x", "render a.jsonl -o a.png --at x",
+        "render a.jsonl -o a.png --scheme wet", "render a.jsonl -o a.png --aov blue",
+        "render a.jsonl -o a.png --progress loud", "render a.jsonl -o a.png --memory-limit lots",
+        "render a.jsonl -o a.png --gravity 1,2", "render a.jsonl -o a.png --light 0,0,0", "relight",
+        "compare a.png", "validate", "info"}) {
+    expect_failure(place, wrong, 2, 1);
+  }
+}
+
+TEST(CommandErrors, AMisspeltNameGetsASuggestion) {
+  const Workplace place;
+  EXPECT_NE(place.run("rendr").err.find("\"render\""), std::string::npos);
+  EXPECT_NE(place.run("render a.jsonl -o a.png --widht 3").err.find("\"--width\""),
+            std::string::npos);
+}
+
+TEST(CommandErrors, BadInputIsThreeAndNamesTheLine) {
+  Workplace place;
+  place.write("bad.jsonl", kSmallLog + R"({"t":2,"type":"touch","phase":"down","x":0,"y":0,)" +
+                               R"("pressure":1.7})" + "\n");
+  const Ran ran = place.run("render bad.jsonl -o a.png");
+  EXPECT_EQ(ran.code, 3);
+  EXPECT_EQ(ran.err, "pentimento: bad.jsonl:12: pressure 1.7 is outside 0..1\n");
+  expect_failure(place, "render bad.jsonl -o a.png", 3, 2);
+  expect_failure(place, "relight bad.jsonl -o a.png", 3, 2);
+}
+
+TEST(CommandErrors, AnOldFileStaysAsItWas) {
+  Workplace place;
+  place.write("a.png", "old");
+  place.write("bad.jsonl", "{}");
+  EXPECT_EQ(place.run("render bad.jsonl -o a.png").code, 3);
+  EXPECT_EQ(place.read("a.png"), "old");
+  // The second file cannot be written, so the first must not be published.
+  EXPECT_EQ(place.run("render a.jsonl -o a.png -o nowhere/b.png").code, 5);
+  EXPECT_EQ(place.read("a.png"), "old");
+  EXPECT_EQ(place.files(), 3u);
+}
+
+TEST(CommandErrors, NoClobberKeepsWhatIsThere) {
+  Workplace place;
+  place.write("a.png", "old");
+  EXPECT_NE(place.run("render a.jsonl -o a.png --no-clobber").code, 0);
+  EXPECT_EQ(place.read("a.png"), "old");
+}
+
+TEST(CommandErrors, OverALimitIsFour) {
+  const Workplace place;
+  expect_failure(place, "render a.jsonl -o a.png --memory-limit 1M", 4, 1);
+  expect_failure(place, "render a.jsonl -o a.png --max-events 5", 4, 1);
+  expect_failure(place, "render a.jsonl -o a.png --max-steps 10", 4, 1);
+  expect_failure(place, "render a.jsonl -o a.png --scale 30000", 4, 1);
+}
+
+TEST(CommandErrors, FailedWritingAndReadingIsFive) {
+  const Workplace place;
+  expect_failure(place, "render a.jsonl -o nowhere/a.png", 5, 1);
+  expect_failure(place, "render none.jsonl -o a.png", 5, 1);
+  expect_failure(place, "render a.jsonl -o /dev/full", 5, 1);
+}
+
+TEST(CommandErrors, ASignalIsSeventyFiveAndLeavesNothing) {
+  Workplace place;
+  std::string log = kSmallLog;  // an hour on a canvas that never rests
+  log += R"({"t":3600,"type":"mark","name":"late"})"
+         "\n";
+  place.write("long.jsonl", log);
+  for (const char* signal : {"INT", "TERM"}) {
+    const Ran ran = place.run(
+        "render long.jsonl -o a.png --gravity 5,5,5 --set "
+        "model.velocity_threshold=0 --scale 4",
+        "timeout -s " + std::string(signal) + " --preserve-status 1");
+    EXPECT_EQ(ran.code, 75) << ran.err;
+    EXPECT_EQ(place.files(), 2u);
+  }
+}
+
+TEST(CommandErrors, EveryCutOfALogIsThreeInOneLine) {
+  Workplace place;
+  // Cuts in the header, in events, between and within tokens; the reader's own test does them all.
+  for (std::size_t cut = 0; cut < kSmallLog.size() - 1; cut += 37) {
+    const bool whole_lines = cut > 0 && kSmallLog[cut - 1] == '\n';
+    place.write("cut.jsonl", kSmallLog.substr(0, cut));
+    const Ran ran = place.run("validate cut.jsonl");
+    EXPECT_EQ(ran.code, whole_lines || kSmallLog[cut] == '\n' ? 0 : 3) << cut;
+    EXPECT_EQ(lines_in(ran.err), ran.code == 3 ? 1u : 0u) << ran.err;
+  }
+}
+
+TEST(CommandErrors, SalvageReplaysTheWholeEvents) {
+  Workplace place;
+  place.write("cut.jsonl", kSmallLog.substr(0, kSmallLog.size() - 5));
+  EXPECT_EQ(place.run("render cut.jsonl -o a.png").code, 3);
+  const Ran ran = place.run("render cut.jsonl -o a.png --salvage");
+  EXPECT_EQ(ran.code, 0);
+  EXPECT_NE(ran.err.find("line 11"), std::string::npos) << ran.err;
+}
+
+TEST(CommandErrors, ALogStaysInItsFolder) {
+  Workplace place;
+  place.write("out.jsonl", kSmallLog + R"({"t":2,"type":"load","file":"../x.png"})" + "\n");
+  expect_failure(place, "render out.jsonl -o a.png", 3, 2);
+}
+
+}  // namespace
+}  // namespace pentimento::test

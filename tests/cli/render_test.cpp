@@ -1,0 +1,159 @@
+#include <gtest/gtest.h>
+
+#include "tests/cli/command_run.h"
+
+namespace pentimento::test {
+namespace {
+
+TEST(CommandRender, WritesPicturesAndStateAndReports) {
+  const Workplace place;
+  const Ran ran = place.run("render a.jsonl -o a.png -o a.exr -o a.h5 --json");
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  EXPECT_TRUE(place.has("a.png") && place.has("a.exr") && place.has("a.h5"));
+  EXPECT_EQ(place.files(), 4u);  // and the log: no temporaries
+  EXPECT_EQ(lines_in(ran.out), 1u);
+  EXPECT_EQ(json_member(ran.out, "steps"), "55");  // the mark at 1.2 s is in step 54
+  for (const char* key :
+       {"outputs", "simulated_s", "wall_s", "peak_memory_bytes", "threads", "state_sha256",
+        "guide_sha256", "log_sha256", "paint", "medium", "deposited_m3", "picked_up_m3", "dried_m3",
+        "wet_m3", "relative_difference", "pigments", "phases"}) {
+    EXPECT_NE(ran.out.find(std::string(1, '"').append(key).append("\":")), std::string::npos) << key;
+  }
+  EXPECT_EQ(json_member(ran.out, "state_sha256"), json_member(ran.out, "guide_sha256"));
+}
+
+TEST(CommandRender, TheStateIsTheSameForAnyNumberOfThreads) {
+  const Workplace place;
+  std::string state;
+  for (const char* threads : {"1", "2", "7", "1", "2", "7"}) {
+    const Ran ran = place.run(std::string("render a.jsonl -o a.h5 --json --threads ").append(threads));
+    ASSERT_EQ(ran.code, 0) << ran.err;
+    if (state.empty()) state = json_member(ran.out, "state_sha256");
+    EXPECT_EQ(json_member(ran.out, "state_sha256"), state) << threads;
+  }
+  EXPECT_EQ(state.size(), 64u);
+}
+
+TEST(CommandRender, ALogCanBePipedInAndAPictureOut) {
+  const Workplace place;
+  ASSERT_EQ(place.run("render a.jsonl -o a.png").code, 0);
+  const Ran piped = place.run("render - -o -", "cat a.jsonl |");
+  ASSERT_EQ(piped.code, 0) << piped.err;
+  EXPECT_EQ(piped.out.substr(0, 4), "\x89PNG");
+  place.run("render - -o b.png", "cat a.jsonl |");
+  EXPECT_EQ(place.run("compare a.png b.png").code, 0);
+}
+
+TEST(CommandRender, StandardOutputCarriesOnlyWhatWasAskedFor) {
+  const Workplace place;
+  EXPECT_EQ(place.run("render a.jsonl -o a.png --progress ndjson").out, "");
+  EXPECT_EQ(place.run("render a.jsonl -o a.png --quiet").err, "");
+  const Ran both = place.run("render a.jsonl -o - --json");
+  EXPECT_EQ(both.code, 2);
+  EXPECT_EQ(both.out, "");
+}
+
+TEST(CommandRender, ProgressForProgramsIsAnObjectPerLine) {
+  const Workplace place;
+  const Ran ran = place.run("render a.jsonl -o a.png --progress ndjson --json");
+  EXPECT_NE(ran.err.find("{\"phase\":\"simulate\""), std::string::npos);
+  EXPECT_NE(ran.err.find("\"percent\":100"), std::string::npos);
+}
+
+TEST(CommandRender, TheSizeIsGivenInOneWay) {
+  const Workplace place;
+  const Ran ran = place.run("render a.jsonl -o a.png --json --sim-scale 0.5 --width 160");
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  EXPECT_EQ(json_member(ran.out, "width"), "160");
+  EXPECT_EQ(json_member(ran.out, "height"), "120");
+  EXPECT_NE(place.run("info a.png").out.find("80 x 60"), std::string::npos);  // the grid
+  EXPECT_EQ(place.run("render a.jsonl -o b.png --width 10 --height 10").code, 2);
+}
+
+TEST(CommandRender, APrintCarriesItsDpi) {
+  const Workplace place;
+  ASSERT_EQ(place.run("render a.jsonl -o a.png --print 4x3cm --dpi 100 --sim-scale 0.3").code, 0);
+  const Ran info = place.run("info a.png --json");
+  EXPECT_EQ(json_member(info.out, "width"), "157");  // 4 cm at 100 dpi
+  // PNG stores whole dots per metre: 3937 are 99.9998 dots per inch.
+  EXPECT_NEAR(std::stod(json_member(info.out, "dpi")), 100.0, 0.5 / 39.37);
+}
+
+TEST(CommandRender, ACropIsThatPartOfThePicture) {
+  const Workplace place;
+  const Ran ran = place.run("render a.jsonl -o a.png --crop 10,20,30,15 --json");
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  EXPECT_EQ(json_member(ran.out, "width"), "30");
+  EXPECT_EQ(json_member(ran.out, "height"), "15");
+  EXPECT_EQ(place.run("render a.jsonl -o a.png --crop 70,0,20,10").code, 2);
+}
+
+TEST(CommandRender, ItStopsWhereItIsTold) {
+  const Workplace place;
+  const Ran ran = place.run("render a.jsonl -o f-%.h5 --at mark:half --at step:10 --at 0.2 --json");
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  EXPECT_EQ(json_member(ran.out, "steps"), "23");
+  EXPECT_TRUE(place.has("f-half.h5") && place.has("f-10.h5") && place.has("f-0.2.h5"));
+  ASSERT_EQ(place.run("render a.jsonl -o g.h5 --at step:10").code, 0);
+  EXPECT_EQ(place.run("compare f-0.2.h5 g.h5").code, 0);  // 0.2 s is in step 9
+  EXPECT_EQ(place.run("render a.jsonl -o f.png --at mark:none").code, 2);
+}
+
+TEST(CommandRender, SettlingGoesOnWithNothingHappening) {
+  const Workplace place;
+  const Ran ran = place.run("render a.jsonl -o a.h5 --settle 1 --json");
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  EXPECT_EQ(json_member(ran.out, "steps"), "100");
+}
+
+TEST(CommandRender, ADumpCanBeContinued) {
+  const Workplace place;
+  ASSERT_EQ(place.run("render a.jsonl -o a.h5").code, 0);
+  const Ran ran = place.run("render a.jsonl --from a.h5 -o b.h5 --width 40 --json");
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  const Ran info = place.run("info b.h5 --json");
+  EXPECT_EQ(json_member(info.out, "width"), "80");  // the dump's grid, whatever the picture's size
+  EXPECT_EQ(place.run("compare a.h5 b.h5").code, 1);
+}
+
+TEST(CommandRender, AModelParameterCanBeSet) {
+  const Workplace place;
+  const Ran a = place.run("render a.jsonl -o a.h5 --json");
+  const Ran b = place.run("render a.jsonl -o b.h5 --set model.nu_max=2e-2 --json");
+  ASSERT_EQ(b.code, 0) << b.err;
+  EXPECT_NE(json_member(a.out, "state_sha256"), json_member(b.out, "state_sha256"));
+  for (const char* bad : {"nu_max=1", "model.nu_maxx=1", "model.nu_max=x", "model.nu_max=-1"}) {
+    EXPECT_EQ(place.run(std::string("render a.jsonl -o c.h5 --set ").append(bad)).code, 2) << bad;
+  }
+  EXPECT_FALSE(place.has("c.h5"));
+}
+
+TEST(CommandRender, DryRunTellsAndWritesNothing) {
+  const Workplace place;
+  const Ran ran = place.run("render a.jsonl -o a.png --width 800 --dry-run --json");
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  EXPECT_EQ(json_member(ran.out, "grid_width"), "800");
+  EXPECT_EQ(json_member(ran.out, "steps"), "55");
+  EXPECT_FALSE(place.has("a.png"));
+}
+
+TEST(CommandRender, TheLocaleChangesNothing) {
+  const Workplace place;
+  const Ran plain = place.run("render a.jsonl -o a.h5 --json --gravity 0.5,1.5,9");
+  const Ran german = place.run("render a.jsonl -o a.h5 --json --gravity 0.5,1.5,9",
+                               "LC_ALL=de_DE.UTF-8 LC_NUMERIC=de_DE.UTF-8 TZ=Asia/Tokyo");
+  EXPECT_EQ(json_member(plain.out, "state_sha256"), json_member(german.out, "state_sha256"));
+}
+
+TEST(CommandRender, ItsPictureNamesTheCommandThatMakesItAgain) {
+  const Workplace place;
+  ASSERT_EQ(place.run("render a.jsonl --json -o 'a b.png' --exposure=0.5 -o c.exr").code, 0);
+  const Ran info = place.run("info 'a b.png' --json");
+  EXPECT_EQ(json_member(info.out, "command"),
+            "pentimento render a.jsonl --exposure=0.5 -o 'a b.png'");
+  ASSERT_EQ(place.run("render a.jsonl --exposure=0.5 -o again.png").code, 0);
+  EXPECT_EQ(place.run("compare 'a b.png' again.png").code, 0);
+}
+
+}  // namespace
+}  // namespace pentimento::test
