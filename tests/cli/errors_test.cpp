@@ -81,7 +81,9 @@ TEST(CommandErrors, FailedWritingAndReadingIsFive) {
   const Workplace place;
   expect_failure(place, "render a.jsonl -o nowhere/a.png", 5, 1);
   expect_failure(place, "render none.jsonl -o a.png", 5, 1);
-  expect_failure(place, "render a.jsonl -o /dev/full", 5, 1);
+  const Ran full = place.run("render a.jsonl -o full.png", "ln -s /dev/full full.png &&");
+  EXPECT_EQ(full.code, 5) << full.err;
+  EXPECT_EQ(lines_in(full.err), 1u);
 }
 
 TEST(CommandErrors, ASignalIsSeventyFiveAndLeavesNothing) {

@@ -17,7 +17,8 @@ TEST(CommandRender, WritesPicturesAndStateAndReports) {
        {"outputs", "simulated_s", "wall_s", "peak_memory_bytes", "threads", "state_sha256",
         "guide_sha256", "log_sha256", "paint", "medium", "deposited_m3", "picked_up_m3", "dried_m3",
         "wet_m3", "relative_difference", "pigments", "phases"}) {
-    EXPECT_NE(ran.out.find(std::string(1, '"').append(key).append("\":")), std::string::npos) << key;
+    EXPECT_NE(ran.out.find(std::string(1, '"').append(key).append("\":")), std::string::npos)
+        << key;
   }
   EXPECT_EQ(json_member(ran.out, "state_sha256"), json_member(ran.out, "guide_sha256"));
 }
@@ -26,7 +27,8 @@ TEST(CommandRender, TheStateIsTheSameForAnyNumberOfThreads) {
   const Workplace place;
   std::string state;
   for (const char* threads : {"1", "2", "7", "1", "2", "7"}) {
-    const Ran ran = place.run(std::string("render a.jsonl -o a.h5 --json --threads ").append(threads));
+    const Ran ran =
+        place.run(std::string("render a.jsonl -o a.h5 --json --threads ").append(threads));
     ASSERT_EQ(ran.code, 0) << ran.err;
     if (state.empty()) state = json_member(ran.out, "state_sha256");
     EXPECT_EQ(json_member(ran.out, "state_sha256"), state) << threads;
