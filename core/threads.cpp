@@ -1,9 +1,12 @@
 #include "core/threads.h"
 
 #include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
+#include <algorithm>
+#include <optional>
 #include <thread>
 
 namespace pentimento {
@@ -11,16 +14,25 @@ namespace pentimento {
 namespace {
 constexpr int kRowsPerTask = 8;  // a 1024-cell row is a few microseconds; tasks cost about one
 
+int machine_threads() {
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
 int resolved(int count) {
-  if (count > 0) return count;
-  const unsigned all = std::thread::hardware_concurrency();
-  return all == 0 ? 1 : static_cast<int>(all);
+  return count > 0 ? count : machine_threads();
 }
 }  // namespace
 
 struct Threads::Arena {
-  explicit Arena(int n) : count(n), arena(n) {}
+  explicit Arena(int n) : count(n), arena(n) {
+    if (n > machine_threads()) {
+      // Else TBB says on standard error that it gives fewer than asked for.
+      more_workers.emplace(tbb::global_control::max_allowed_parallelism,
+                           static_cast<std::size_t>(n));
+    }
+  }
   int count;
+  std::optional<tbb::global_control> more_workers;
   mutable tbb::task_arena arena;
 };
 
