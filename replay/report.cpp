@@ -99,11 +99,12 @@ std::string report_text(const JobReport& report) {
   for (const WrittenFile& f : report.outputs) {
     text += fmt::format("{}  {} x {}\n", f.file, f.width, f.height);
   }
-  return text + fmt::format(
-                    "{} steps ({} computed), {:.1f} s simulated in {:.1f} s, {} MB, "
-                    "state {:.16}\n",
-                    report.steps, report.steps_computed, report.simulated_s, report.wall_s,
-                    report.peak_memory_bytes / 1'000'000, report.state_sha256);
+  if (report.steps > 0) {
+    text += fmt::format("{} steps ({} computed), {:.1f} s simulated\n", report.steps,
+                        report.steps_computed, report.simulated_s);
+  }
+  return text + fmt::format("{:.1f} s, {} MB, state {:.16}\n", report.wall_s,
+                            report.peak_memory_bytes / 1'000'000, report.state_sha256);
 }
 
 std::int64_t peak_memory_bytes() {

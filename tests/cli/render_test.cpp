@@ -28,7 +28,7 @@ TEST(CommandRender, TheStateIsTheSameForAnyNumberOfThreads) {
   std::string state;
   for (const char* threads : {"1", "2", "7", "1", "2", "7"}) {
     const Ran ran =
-        place.run(std::string("render a.jsonl -o a.h5 --json --threads ").append(threads));
+        place.run(std::string("render a.jsonl -o a.h5 --json --quiet --threads ").append(threads));
     ASSERT_EQ(ran.code, 0) << ran.err;
     if (state.empty()) state = json_member(ran.out, "state_sha256");
     EXPECT_EQ(json_member(ran.out, "state_sha256"), state) << threads;
