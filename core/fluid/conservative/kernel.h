@@ -12,9 +12,8 @@
 #endif
 
 // Before a loop: its iterations are independent of one another, whatever the pointers look like.
-#if defined(__clang__)
-#define PENTIMENTO_INDEPENDENT _Pragma("clang loop vectorize(assume_safety)")
-#elif defined(__GNUC__)
+// clang finds out at run time, and complains where its own pragma does not help.
+#if defined(__GNUC__) && !defined(__clang__)
 #define PENTIMENTO_INDEPENDENT _Pragma("GCC ivdep")
 #else
 #define PENTIMENTO_INDEPENDENT
