@@ -83,7 +83,7 @@ TEST(Gather, TheBrushGainsPerAreaWhatTheCanvasLost) {
     }
     Reservoir reservoir(2);
     GatherScratch scratch;
-    gather_lifted({lifted, 4, sum}, pose, box, geometry, tip, reservoir, scratch);
+    gather_lifted({lifted, 4}, pose, box, geometry, tip, reservoir, scratch);
     double gained[3] = {0, 0, 0};
     for (int i = 0; i < kReservoirSide * kReservoirSide; ++i)
       for (int k = 0; k < 3; ++k) gained[k] += static_cast<double>(reservoir.texel(i)[k]);
@@ -95,6 +95,35 @@ TEST(Gather, TheBrushGainsPerAreaWhatTheCanvasLost) {
           1e-6)
           << diameter_m;
     EXPECT_EQ(gained[2], 0);
+  }
+}
+
+TEST(Gather, EveryComponentIsTreatedAlike) {
+  // A component that is the sum of two others on the canvas is so in the brush too.
+  const BrushDefinition brush = *builtin_brush("flat");
+  const Tip tip(brush);
+  const CanvasGeometry geometry{400, 300, 0.2, 0.15};
+  Stamp stamp;
+  stamp.x_m = 0.1;
+  stamp.y_m = 0.07;
+  for (const float diameter_m : {0.004f, 0.03f, 0.1f}) {
+    stamp.diameter_m = diameter_m;
+    const TipPose pose = pose_of(stamp, brush, 0);
+    const CellBox box = box_of(pose, tip.extent(), geometry);
+    std::vector<float> lifted(static_cast<std::size_t>(box.width * box.height * 4), 0.0f);
+    for (std::size_t i = 0; i < lifted.size(); i += 4) {
+      lifted[i] = 1e-3f * static_cast<float>(i % 3);
+      lifted[i + 1] = 1e-3f * static_cast<float>(1 + i % 7);
+      lifted[i + 2] = lifted[i] + 2 * lifted[i + 1];
+    }
+    Reservoir reservoir(2);
+    GatherScratch scratch;
+    gather_lifted({lifted, 4}, pose, box, geometry, tip, reservoir, scratch);
+    for (const TipTexel& t : tip.texels()) {
+      const float* paint = reservoir.texel(t.index);
+      EXPECT_NEAR(paint[2], paint[0] + 2 * paint[1],
+                  1e-5f * paint[2]);  // rounding of some 100 sums
+    }
   }
 }
 
