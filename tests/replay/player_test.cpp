@@ -103,6 +103,49 @@ TEST(Player, ARedoneStrokeIsAsIfItWasNeverUndone) {
             state_sha256(replay(redone).simulation->state()));
 }
 
+TEST(Player, OpticalChannelsMixAsThePaletteDoes) {
+  // Stiff paint: a thin film runs, and running amplifies the last bit of a rounding.
+  const auto stiff = [] {
+    ListReader reader = header();
+    reader.add(0, log::Slider{"medium", 0.1});
+    reader.add(0, log::Slider{"pigment", 1.0});
+    reader.add(0, picked(0.02, 0.05, 0.4));
+    reader.stroke(0.1, 0.5, 0.05, 0.3, 0.1);
+    reader.add(0.6, picked(0.6, 0.5, 0.02));
+    reader.stroke(0.7, 1.1, 0.3, 0.1, 0.12);
+    return reader;
+  };
+  ListReader one = stiff();
+  ListReader two = stiff();
+  const Replayed palette = replay(one);
+  const Replayed optical = replay(two, true);
+  const CanvasState& p = palette.simulation->state();
+  const CanvasState& o = optical.simulation->state();
+  const ChannelBasis& basis = optical.simulation->basis();
+  double largest = 0, error = 0;
+  for (int layer = 0; layer < p.layers; ++layer) {
+    for (int y = 0; y < 48; ++y) {
+      for (int x = 0; x < 64; ++x) {
+        for (int c = 0; c < o.channels; ++c) {
+          double sum = 0;
+          for (int i = 0; i < p.channels; ++i) {
+            sum += static_cast<double>(basis.load(c, i)) * p.channel(layer, i)(x, y);
+          }
+          largest = std::max(largest, sum);
+          if (std::abs(sum - o.channel(layer, c)(x, y)) > 1e-3)
+            std::printf("%d %d,%d c%d %g %g\n", layer, x, y, c, sum,
+                        (double)o.channel(layer, c)(x, y));
+          error = std::max(error, std::abs(sum - o.channel(layer, c)(x, y)));
+        }
+      }
+    }
+  }
+  EXPECT_GT(largest, 0.01);  // there is paint
+  // The same linear operations on other numbers: only the rounding differs, and a hundred steps and
+  // some thousand stamps add it up.
+  EXPECT_LT(error, 1e-3 * largest);
+}
+
 TEST(Player, UprightPaintRunsDown) {
   ListReader reader = header();
   reader.add(0, log::Slider{"medium", 1.0});
