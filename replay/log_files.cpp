@@ -5,6 +5,7 @@
 #include <fstream>
 #include <utility>
 
+#include "formats/image/read_image.h"
 #include "formats/io/sha256.h"
 #include "formats/log/resolve.h"
 
@@ -36,6 +37,14 @@ Result<std::string> LogFiles::use(const std::string& name) {
   paths_.emplace(name, path->string());
   hashes_.emplace(name, *hash);
   return path->string();
+}
+
+Result<std::string> LogFiles::use_picture(const std::string& name) {
+  const bool known = paths_.contains(name);
+  Result<std::string> path = use(name);
+  if (!path || known) return path;
+  if (Result<std::array<Field<float>, 3>> rgb = read_rgb(*path); !rgb) return rgb.error();
+  return path;
 }
 
 }  // namespace pentimento

@@ -18,6 +18,10 @@ class LogFiles {
   /// folder), kIo (cannot be read).
   Result<std::string> use(const std::string& name);
 
+  /// use(), and the first time the picture is decoded, so that a broken one is found before any
+  /// work. Errors: also those of the picture.
+  Result<std::string> use_picture(const std::string& name);
+
   /// What messages call the log.
   const std::string& log_name() const { return log_path_; }
   /// Name in the log -> SHA-256 (hex) of the file, for all used so far.

@@ -33,7 +33,7 @@ Result<void> note_event(const log::Event& event, LogFiles& files, LogPlan& plan)
   }
   const std::string file = named_file(event.action);
   if (file.empty()) return {};
-  Result<std::string> path = files.use(file);
+  Result<std::string> path = files.use_picture(file);
   if (path) return {};
   return Error{path.error().code,
                fmt::format("{}:{}: {}", files.log_name(), event.line, path.error().message)};

@@ -123,6 +123,16 @@ TEST(CommandErrors, SalvageReplaysTheWholeEvents) {
   EXPECT_NE(ran.err.find("line 11"), std::string::npos) << ran.err;
 }
 
+TEST(CommandErrors, AFileThatTheLogNamesIsReadBeforeAnyWork) {
+  Workplace place;
+  place.write("load.jsonl", kSmallLog + R"({"t":2,"type":"load","file":"x.png"})" + "\n");
+  expect_failure(place, "render load.jsonl -o a.png", 3, 2);  // not there
+  place.write("x.png", "not a picture");
+  expect_failure(place, "render load.jsonl -o a.png", 3, 3);
+  EXPECT_EQ(place.run("render load.jsonl -o a.png").err.substr(0, 27),
+            "pentimento: load.jsonl:12: ");
+}
+
 TEST(CommandErrors, ALogStaysInItsFolder) {
   Workplace place;
   place.write("out.jsonl", kSmallLog + R"({"t":2,"type":"load","file":"../x.png"})" + "\n");

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <utility>
 
@@ -144,6 +145,33 @@ TEST(Player, OpticalChannelsMixAsThePaletteDoes) {
   // The same linear operations on other numbers: only the rounding differs, and a hundred steps and
   // some thousand stamps add it up.
   EXPECT_LT(error, 1e-3 * largest);
+}
+
+TEST(Player, ANumberThatIsNotFiniteIsFoundWithStepAndCell) {
+  ListReader reader = header();
+  reader.add(1.0, log::Mark{"end"});
+  LogFiles files("-", false);
+  const Control control;
+  const Threads threads(1);
+  LogPlan plan = plan_log(reader, files, {}).value();
+  const BrushTable brushes;
+  SimulationSetup setup;
+  setup.geometry = {64, 48, 0.4, 0.3};
+  setup.basis = palette_channels(plan.palette.pigments());
+  setup.paper_m = Field<float>(64, 48);
+  Simulation simulation(std::move(setup), threads);
+  CanvasState broken = make_canvas_state({64, 48, 0.4, 0.3}, 2, 1, 3, 0.9f);
+  broken.depth_m(3, 4) = std::numeric_limits<float>::quiet_NaN();
+  simulation.restore(std::move(broken));
+  Timeline timeline(reader, {plan.undo, brushes, plan.stepped, 1});
+  Hand hand(simulation, {brushes, plan.palette, 0, files, std::nullopt});
+  LightingTrack lighting(default_lighting());
+  Player player({timeline, simulation, hand, lighting, files, control, plan.steps});
+  const Result<void> played = player.play_all(plan.steps);
+  ASSERT_FALSE(played.ok());
+  EXPECT_EQ(played.error().code, ErrorCode::kNonFinite);
+  EXPECT_EQ(played.error().message.substr(0, 5), "step ");
+  EXPECT_NE(played.error().message.find("cell ("), std::string::npos) << played.error().message;
 }
 
 TEST(Player, UprightPaintRunsDown) {
