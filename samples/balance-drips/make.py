@@ -21,8 +21,8 @@ SOURCE = HERE.parent / "data/gravity/iphone_balance.csv"
 STANDARD_GRAVITY = 9.80665
 EVERY = 3  # the recording's 100 Hz are more than the 45 steps per second can use
 SECONDS = 12.0
-PALETTE = [("indigo", "#2c3577", 0.35), ("turquoise", "#1f8a8c", 0.3), ("magenta", "#a8326f", 0.3),
-           ("ochre", "#c98f2b", 0.4)]
+PALETTE = [("indigo", "#2c3577", 0.5), ("turquoise", "#1f8a8c", 0.5), ("magenta", "#a8326f", 0.5),
+           ("ochre", "#c98f2b", 0.55)]
 
 
 def read_accelerations():
@@ -40,23 +40,26 @@ def main():
     recording = Recording(
         0.75, 1.0, (768, 1024),
         palette=[{"name": n, "color": c, "opacity": o} for n, c, o in PALETTE],
+        paper={"texture": "linen", "relief": 0.0003, "scale": 0.05,
+               "reflectance": [0.8, 0.78, 0.72]},
+        model={"friction_viscosity_floor": 0.0003},
         title="Picked up", recorded_by="samples/balance-drips/make.py")
     painter = Painter(recording, seed=7)
     accelerations = list(read_accelerations())
     recording.event("gravity", **dict(zip("xyz", (rounded(a, 3) for a in accelerations[0][1:]))))
     recording.wait(0.2)
-    painter.brush("round", size=0.05, medium=0.7, pigment=0.16)
-    for n in range(12):
-        name = PALETTE[n % 4][0]
-        painter.color(name)
-        row, column = divmod(n, 3)
-        x, y = 0.09 + 0.2 * column, 0.1 + 0.17 * row + 0.02 * column
-        painter.stroke([(x, y), (x + 0.07, y - 0.02), (x + 0.13, y + 0.015), (x + 0.19, y)],
-                       speed=0.35, pressure=0.85)
+    painter.brush("round", size=0.045, medium=1.0, pigment=0.19)
+    for n in range(15):
+        painter.color(PALETTE[n % 4][0])
+        row, column = divmod(n, 5)
+        x, y = 0.07 + 0.125 * column + 0.03 * row, 0.08 + 0.12 * row + 0.02 * (column % 2)
+        for back in (0.0, 0.01):  # there and back: a film that is thick enough to run
+            painter.stroke([(x, y + back), (x + 0.05, y - 0.012 + back), (x + 0.1, y + back)],
+                           speed=0.3, pressure=0.85)
     painter.brush("bristle", size=0.03, medium=0.5, pigment=1.0)
-    for n in range(4):  # thick paint stays where it is
+    for n in range(3):  # thick paint stays where it is
         painter.color(PALETTE[(n + 2) % 4][0])
-        y = 0.18 + 0.17 * n
+        y = 0.5 + 0.13 * n
         painter.stroke([(0.08 + 0.02 * math.sin(n), y), (0.35, y + 0.02), (0.67, y - 0.01)],
                        speed=0.5)
     recording.event("mark", name="painted")

@@ -56,11 +56,13 @@ def main():
     top = (HEIGHT - scale * (max(vs) + min(vs))) / 2
 
     recording = Recording(
-        WIDTH, HEIGHT, (768, 1024), title="Blue Tit",
+        WIDTH, HEIGHT, (768, 1024), paper={"texture": "linen", "relief": 0.0003, "scale": 0.05,
+               "reflectance": [0.8, 0.78, 0.72]},
+        title="Blue Tit",
         author="Tilt Brush sample sketches, Google", recorded_by="samples/blue-tit/make.py",
         brushes=[{"name": "ink", "shape": "round", "size_pressure": 0.6, "flow_pressure": 0.6}])
     recording.event("brush", name="ink")
-    recording.slider(medium=0.4, pigment=0.9)
+    recording.slider(medium=0.4, pigment=0.9, pickup=0.15, layer_mixing=0.15)
     color, size = None, None
     for stroke, begin in zip(strokes, shorten_pauses(strokes)):
         first, finger = stroke[0], int(stroke[0]["mirror"])

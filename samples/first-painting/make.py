@@ -14,8 +14,9 @@ sys.path.insert(0, str(HERE.parent))
 from recording import Painter, Recording, output_path, turn_tablet  # noqa: E402
 
 PALETTE = {
-    "titanium white": "#f6f3ea", "ultramarine": "#27388f", "sky blue": "#7fb2d6",
-    "rose grey": "#d9b7a8", "warm light": "#f3d9a4", "violet hill": "#6d6a9c",
+    "titanium white": "#f6f3ea", "ultramarine": "#27388f", "high blue": "#4a72b4",
+    "sky blue": "#7fb2d6", "haze": "#b4bfc9", "rose grey": "#d9b7a8", "warm light": "#f3d9a4",
+    "cloud shade": "#8f9bb3", "violet hill": "#6d6a9c", "far slope": "#8d86b0",
     "umber": "#4a3122", "sap green": "#4d6b2c", "meadow": "#8fa33b", "cadmium yellow": "#f2b61c",
     "cadmium red": "#c8281e", "deep green": "#22402c", "rain": "#5a6a86",
     "glaze orange": "#e08a2e", "glaze violet": "#3d2f63",
@@ -43,54 +44,72 @@ def river_half_width(y):
 
 def paint_sky(p):
     p.brush("flat", size=0.066, medium=0.42, pigment=0.8)
-    rows = ["ultramarine", "ultramarine", "sky blue", "sky blue", "sky blue", "rose grey",
-            "rose grey", "warm light", "warm light"]
+    rows = ["ultramarine", "high blue", "high blue", "sky blue", "sky blue", "haze", "rose grey",
+            "warm light", "warm light"]
     for n, color in enumerate(rows):
         y = 0.02 + 0.042 * n
         p.color(color)
         ends = [(-0.03, 0.36), (0.3, 0.7), (0.64, 1.03)]
         for x0, x1 in (ends if n % 2 == 0 else [(b, a) for a, b in reversed(ends)]):
-            p.stroke([(x0, y + p.vary(0.006)), ((x0 + x1) / 2, y + p.vary(0.01)),
-                      (x1, y + p.vary(0.006))], speed=0.66)
-    p.brush("round", size=0.03, medium=0.8, pigment=1.0)
+            p.stroke([(x0, y + p.vary(0.012)), ((x0 + x1) / 2, y + p.vary(0.018)),
+                      (x1, y + p.vary(0.012))], speed=0.66)
+    p.brush("round", size=0.026, medium=0.8, pigment=1.0)
     p.color("cadmium yellow")  # the sun, wound from the middle outwards
-    p.stroke([(0.3 + 0.0028 * k * math.cos(k), 0.3 + 0.0028 * k * math.sin(k)) for k in range(9)],
-             speed=0.2, taper=False)
+    p.stroke([(0.3 + 0.0021 * k * math.cos(k), 0.296 + 0.0021 * k * math.sin(k))
+              for k in range(11)], speed=0.25, taper=False)
 
 
 def paint_clouds(p):
-    p.brush("filbert", size=0.044, medium=0.55, pigment=0.85)
-    clouds = [(0.2, 0.1, 0.11), (0.33, 0.075, 0.08), (0.74, 0.12, 0.13), (0.88, 0.09, 0.08),
-              (0.5, 0.175, 0.09)]
+    clouds = [(0.15, 0.115, 0.15), (0.33, 0.085, 0.11), (0.7, 0.13, 0.13), (0.86, 0.1, 0.17),
+              (0.52, 0.185, 0.1)]
     for cx, cy, width in clouds:
-        for n in range(6):
-            p.color("titanium white" if n < 4 else "rose grey")
-            u = n / 5 - 0.5
-            x, y = cx + 1.4 * u * width, cy + (0.012 if n >= 4 else -0.02 * math.cos(3 * u))
-            rise = 0.022 * (1 - abs(u)) if n < 4 else -0.004
-            p.stroke([(x - 0.38 * width, y + 0.012), (x - 0.1 * width, y - rise),
-                      (x + 0.2 * width, y - 0.7 * rise), (x + 0.4 * width, y + 0.01)],
-                     speed=0.34, pressure=0.7, pause=0.05)
+        p.brush("bristle", size=0.026, medium=0.5, pigment=0.7)
+        p.color("cloud shade")  # the underside first, the lit heads over it while it is wet
+        for n in range(3):
+            y = cy + 0.008 + 0.011 * n
+            p.stroke([(cx - (0.6 - 0.12 * n) * width + p.vary(0.015), y + 0.004),
+                      (cx + p.vary(0.02), y + p.vary(0.006)),
+                      (cx + (0.62 - 0.15 * n) * width + p.vary(0.015), y - 0.002)], speed=0.5,
+                     pressure=0.6, pause=0.05)
+        p.brush("filbert", medium=0.6, pigment=0.95)
+        heads = 8
+        for n in range(heads):
+            p.color("warm light" if n in (3, 6) else "titanium white")
+            u = n / (heads - 1) - 0.5
+            size = 0.45 + 0.55 * math.cos(2.6 * u) + p.vary(0.2)
+            p.recording.slider(size=0.03 + 0.012 * size)
+            x, y = cx + u * width + p.vary(0.01), cy - 0.016 * size + p.vary(0.008)
+            r = 0.017 * size
+            p.stroke([(x - r, y + 0.6 * r), (x - 0.6 * r, y - 0.7 * r), (x + 0.4 * r, y - 0.9 * r),
+                      (x + 1.3 * r, y + 0.2 * r)], speed=0.3, pressure=0.75, pause=0.04)
 
 
 def paint_hills(p):
-    p.brush("flat", size=0.05, medium=0.4, pigment=0.85)
-    for base, height, phase, color, light in [(0.375, 0.05, 0.4, "violet hill", "rose grey"),
+    for base, height, phase, color, light in [(0.375, 0.05, 0.4, "violet hill", "far slope"),
                                               (0.43, 0.04, 2.2, "deep green", "sap green")]:
-        for row in range(2):
-            p.color(color)
+        p.brush("flat", size=0.05, medium=0.4, pigment=0.85)
+        p.color(color)
+        for row in range(3):
             for x0, x1 in [(-0.02, 0.28), (0.24, 0.54), (0.5, 0.8), (0.76, 1.02)]:
                 xs = [x0 + (x1 - x0) * k / 4 for k in range(5)]
                 p.stroke([(x, hill_line(x, base, height, phase) + 0.024 + 0.035 * row)
                           for x in xs], speed=0.55)
+        p.brush("bristle", size=0.024, medium=0.3, pigment=0.6)
         p.color(light)
-        p.recording.slider(size=0.022)
-        for n in range(7):  # light on the slopes, falling with them
-            x = 0.06 + 0.145 * n + p.vary(0.03)
+        for n in range(12):  # light on the slopes, falling with them
+            x = 0.01 + 0.085 * n + p.vary(0.03)
             top = hill_line(x, base, height, phase) + 0.012
-            p.stroke([(x, top), (x + 0.02, top + 0.018), (x + 0.055, top + 0.034)], speed=0.3,
-                     pressure=0.6)
-        p.recording.slider(size=0.05)
+            p.stroke([(x, top), (x + 0.02, top + 0.008), (x + 0.045, top + 0.026),
+                      (x + 0.055, top + 0.045 + p.vary(0.01))], speed=0.3, pressure=0.45)
+
+
+def paint_ground(p):
+    """A lean first coat under the meadow, so that no canvas shows between its strokes."""
+    p.brush("flat", size=0.1, medium=0.25, pigment=0.6)
+    for n, y in enumerate((0.475, 0.55, 0.625, 0.69, 0.745)):
+        p.color("sap green" if n < 2 else "deep green")
+        p.stroke([(-0.03, y), (0.5, y + 0.01), (1.03, y)] if n % 2 == 0
+                 else [(1.03, y), (0.5, y - 0.01), (-0.03, y)], speed=0.9, taper=False)
 
 
 def paint_meadow(p):
@@ -114,35 +133,42 @@ def paint_meadow(p):
 
 def paint_river(p):
     """Along the stream in two blues and white, then across it: the colours marble."""
-    p.brush("flat", size=0.045, medium=0.5, pigment=0.8)
-    for lane, color in [(-0.75, "ultramarine"), (0.0, "sky blue"), (0.5, "sky blue"),
-                        (-0.4, "sky blue"), (0.25, "ultramarine"), (0.8, "ultramarine"),
-                        (-0.2, "titanium white"), (0.6, "warm light")]:
-        p.color(color)
-        p.recording.slider(size=0.045 if color not in ("titanium white", "warm light") else 0.02)
-        ys = [0.425, 0.48, 0.54, 0.6, 0.66, 0.72, 0.765]
-        p.stroke([(river_middle(y) + lane * river_half_width(y), y) for y in ys], speed=0.45,
-                 pressure=0.75)
-    p.brush("round", size=0.018, medium=0.55, pigment=0.7)
+    lanes = [(-0.8, "high blue"), (0.0, "sky blue"), (0.55, "sky blue"), (-0.4, "sky blue"),
+             (0.25, "high blue"), (0.85, "ultramarine"), (-0.15, "titanium white"),
+             (0.65, "warm light")]
+    for ys, size, speed in [([0.425, 0.45, 0.48, 0.51, 0.54], 0.017, 0.35),
+                            ([0.53, 0.56, 0.59, 0.62, 0.65], 0.03, 0.42),
+                            ([0.63, 0.66, 0.69, 0.72, 0.765], 0.05, 0.5)]:
+        p.brush("flat", size=size, medium=0.5, pigment=0.8)
+        for lane, color in lanes:
+            p.color(color)
+            light = color in ("titanium white", "warm light")
+            p.recording.slider(size=0.5 * size if light else size)
+            p.stroke([(river_middle(y) + lane * river_half_width(y), y) for y in ys], speed=speed,
+                     pressure=0.75, pause=0.05)
+    p.brush("round", size=0.016, medium=0.55, pigment=0.7)
     for n in range(10):
         p.color(["titanium white", "ultramarine", "warm light"][n % 3])
-        y = 0.5 + 0.024 * n
-        x, w = river_middle(y), 0.75 * river_half_width(y)
+        y = 0.51 + 0.024 * n
+        x, w = river_middle(y), 0.7 * river_half_width(y)
         p.stroke([(x - w, y), (x - 0.4 * w, y + 0.008), (x + 0.1 * w, y - 0.006), (x + w, y + 0.004)],
                  speed=0.26, pressure=0.6)
 
 
 def paint_rain(p):
-    """Thin paint under the right cloud; the tablet is raised and it runs down as rain."""
+    """Thin paint under the right clouds; the tablet is raised and it runs down as rain."""
     r = p.recording
-    p.brush("round", size=0.03, medium=0.8, pigment=0.12)
+    p.brush("round", size=0.026, medium=1.0, pigment=0.1)
     p.color("rain")
-    for n in range(7):
-        x = 0.7 + 0.038 * n
-        p.stroke([(x, 0.15 + p.vary(0.01)), (x + 0.012, 0.17), (x + 0.026, 0.165 + p.vary(0.012))],
-                 speed=0.2, pressure=0.8, pause=0.05)
+    for n in range(13):
+        x = 0.6 + 0.03 * n + p.vary(0.008)
+        y = 0.165 + p.vary(0.014)
+        p.recording.slider(size=0.016 + 0.014 * p.random.random())
+        for back in (0.0, 0.008):  # twice over: a film thick enough to run
+            p.stroke([(x, y + back), (x + 0.006, y + 0.01 + back), (x + 0.014, y + 0.004 + back)],
+                     speed=0.15, pressure=0.9, pause=0.02)
     r.event("mark", name="before the tilt")
-    turn_tablet(r, [(0.0, 0), (0.9, 48), (2.6, 48), (3.4, 0)])
+    turn_tablet(r, [(0.0, 0), (0.9, 55), (4.6, 55), (5.4, 0)])
     r.event("mark", name="after the tilt")
     r.wait(0.6)
 
@@ -154,54 +180,55 @@ def glaze(p):
         p.stroke([(x0, y), ((x0 + x1) / 2, y - 0.012), (x1, y + 0.006)], speed=0.55, pressure=0.9)
     p.recording.slider(size=0.08)
     p.color("glaze violet")
-    for y, x0, x1 in [(0.7, 0.98, 0.62), (0.735, 0.6, 0.99), (0.725, 0.04, 0.36)]:
+    for y, x0, x1 in [(0.69, 0.98, 0.66), (0.73, 0.64, 0.99), (0.725, 0.04, 0.3)]:
         p.stroke([(x0, y), ((x0 + x1) / 2, y + 0.008), (x1, y)], speed=0.55, pressure=0.9)
 
 
 def paint_tree(p):
-    p.brush("knife", size=0.036, medium=0.5, pigment=1.0)
-    p.color("umber")
-    for dx in (0.0, 0.012, -0.008):
-        p.stroke([(0.83 + dx, 0.66), (0.826 + dx, 0.56), (0.838 + 0.6 * dx, 0.46),
-                  (0.845 + 0.3 * dx, 0.37)], speed=0.3, pressure=0.8)
-    p.brush("round", size=0.013)
+    p.brush("knife", size=0.024, medium=0.5, pigment=1.0)
+    for dx, size, color in [(0.006, 0.026, "umber"), (-0.008, 0.018, "umber"), (0.0, 0.02, "umber")]:
+        p.color(color)
+        p.recording.slider(size=size)
+        p.stroke([(0.83 + 1.6 * dx, 0.67), (0.828 + dx, 0.57), (0.838 + 0.5 * dx, 0.46),
+                  (0.845 + 0.2 * dx, 0.36)], speed=0.3, pressure=0.8)
+    p.brush("round", size=0.011)
     for x0, y0, x1, y1 in [(0.832, 0.5, 0.75, 0.4), (0.84, 0.46, 0.91, 0.37), (0.842, 0.42, 0.8, 0.33),
                            (0.845, 0.4, 0.885, 0.31), (0.835, 0.53, 0.925, 0.45)]:
         p.stroke([(x0, y0), ((x0 + x1) / 2 + 0.006, (y0 + y1) / 2 - 0.014), (x1, y1)], speed=0.3,
                  pressure=0.7)
-    p.brush("bristle", size=0.034, medium=0.62, pigment=1.0)
-    leaves = [("deep green", 34, 0.0, 0.034), ("sap green", 30, 0.012, 0.03),
-              ("meadow", 22, 0.022, 0.024), ("cadmium yellow", 12, 0.03, 0.018)]
-    for color, count, towards_light, size in leaves:
+    p.brush("bristle", medium=0.62, pigment=1.0)
+    leaves = [("deep green", 60, 0.0, 0.036, 1.0), ("sap green", 44, 0.01, 0.026, 0.95),
+              ("meadow", 30, 0.022, 0.021, 0.8), ("cadmium yellow", 14, 0.03, 0.015, 0.7)]
+    for color, count, towards_light, size, spread in leaves:
         p.color(color)
-        p.recording.slider(size=size)
         for n in range(count):
-            angle, reach = 2.39996 * n, math.sqrt((n + 0.5) / count)
-            x = 0.835 + 0.115 * reach * math.cos(angle) - 1.2 * towards_light
-            y = 0.36 + 0.095 * reach * math.sin(angle) - towards_light
-            out = angle + 0.5 + p.vary(0.5)
+            p.recording.slider(size=size * (1 + p.vary(0.2)))
+            angle, reach = 2.39996 * n + p.vary(0.5), spread * math.sqrt((n + 0.5) / count)
+            x = 0.835 + 0.125 * reach * math.cos(angle) - 1.2 * towards_light + p.vary(0.008)
+            y = 0.355 + 0.1 * reach * math.sin(angle) - towards_light + p.vary(0.008)
+            out = angle + 0.5 + p.vary(0.9)
             p.stroke([(x, y), (x + 0.012 * math.cos(out), y + 0.01 * math.sin(out)),
-                      (x + 0.022 * math.cos(out), y + 0.02 * math.sin(out) + 0.005)], speed=0.22,
-                     pressure=0.75, tilt=(35, -25), pause=0.03)
+                      (x + 0.022 * math.cos(out), y + 0.02 * math.sin(out) + 0.005)], speed=0.28,
+                     pressure=0.75, tilt=(35, -25), pause=0.02)
 
 
 def paint_grass_and_flowers(p):
-    p.brush("bristle", size=0.022, medium=0.5, pigment=0.95)
-    for n in range(36):
-        p.color(["meadow", "deep green", "cadmium yellow"][n % 3])
-        x = 0.015 + 0.36 * ((n * 0.618034) % 1.0)
-        y = 0.742 - 0.1 * ((n * 0.3819) % 1.0)
-        bend = 0.02 + p.vary(0.02)
-        p.stroke([(x, y), (x + 0.3 * bend, y - 0.035), (x + bend, y - 0.06)], speed=0.3,
-                 pressure=0.65, pause=0.03)
-    p.brush("round", size=0.016, medium=0.8, pigment=1.0)
-    for n in range(34):
+    p.brush("bristle", size=0.02, medium=0.5, pigment=0.95)
+    for n in range(46):
+        p.color(["sap green", "deep green", "meadow", "deep green", "sap green"][n % 5])
+        x, y = 0.2 + p.vary(0.2), 0.7 + p.vary(0.05)
+        bend = p.vary(0.022)
+        p.stroke([(x, y + 0.015), (x + 0.3 * bend, y - 0.02), (x + bend, y - 0.05 - p.vary(0.015))],
+                 speed=0.34, pressure=0.65, pause=0.02)
+    p.brush("round", medium=0.8, pigment=1.0)
+    for n in range(44):
         p.color(["cadmium red", "cadmium red", "titanium white", "cadmium yellow"][n % 4])
-        x = 0.02 + 0.35 * ((n * 0.7548) % 1.0)
-        y = 0.72 - 0.115 * ((n * 0.5698) % 1.0)
-        p.recording.slider(size=0.011 + 0.009 * (y - 0.6) / 0.12)
-        p.stroke([(x, y), (x + 0.005, y - 0.004), (x + 0.009, y + 0.001), (x + 0.004, y + 0.005)],
-                 speed=0.12, pressure=0.9, taper=False, pause=0.03)
+        near = p.random.random()
+        x, y = 0.19 + p.vary(0.18), 0.625 + 0.1 * near
+        r = 0.003 + 0.0035 * near
+        p.recording.slider(size=0.008 + 0.01 * near)
+        p.stroke([(x - r, y), (x, y - r), (x + r, y), (x, y + r), (x - 0.6 * r, y + 0.3 * r)],
+                 speed=0.14, pressure=0.9, taper=False, pause=0.02)
 
 
 def paint_lights(p):
@@ -209,17 +236,18 @@ def paint_lights(p):
     p.brush("knife", size=0.026, medium=0.9, pigment=1.0)
     p.color("titanium white")
     for n in range(6):
-        y = 0.52 + 0.037 * n
+        y = 0.53 + 0.037 * n
         x, w = river_middle(y) + 0.1 * river_half_width(y), 0.35 * river_half_width(y)
-        p.stroke([(x - w, y), (x, y + 0.002), (x + w, y)], speed=0.25, pressure=0.6, twist=90)
-    p.recording.slider(size=0.034)
-    for x, y in [(0.17, 0.085), (0.215, 0.072), (0.34, 0.06), (0.5, 0.16)]:
-        p.stroke([(x, y), (x + 0.02, y - 0.01), (x + 0.05, y - 0.006)], speed=0.25, pressure=0.8)
+        p.stroke([(x - w, y), (x, y + 0.002), (x + w, y)], speed=0.25, pressure=0.6, twist=80)
+    p.recording.slider(size=0.02)
+    for x, y in [(0.105, 0.09), (0.15, 0.082), (0.31, 0.062), (0.505, 0.16), (0.84, 0.07)]:
+        p.stroke([(x, y), (x + 0.012, y - 0.012), (x + 0.034, y - 0.012), (x + 0.048, y - 0.002)],
+                 speed=0.25, pressure=0.8)
+    p.brush("round", size=0.007, medium=0.7)
     p.color("warm light")
-    for x in (0.08, 0.2, 0.34, 0.47):
-        y = hill_line(x, 0.375, 0.05, 0.4) + 0.006
-        p.stroke([(x, y), (x + 0.03, hill_line(x + 0.03, 0.375, 0.05, 0.4) + 0.006)], speed=0.2,
-                 pressure=0.6)
+    for x0, x1 in [(0.17, 0.24), (0.26, 0.36), (0.4, 0.46)]:
+        xs = [x0 + (x1 - x0) * k / 3 for k in range(4)]
+        p.stroke([(x, hill_line(x, 0.375, 0.05, 0.4) + 0.004) for x in xs], speed=0.2, pressure=0.6)
 
 
 def sign(p):
@@ -234,16 +262,19 @@ def sign(p):
 
 def main():
     recording = Recording(
-        1.0, 0.75, (1024, 768), paper={"texture": "linen", "relief": 0.0003, "scale": 0.05},
+        1.0, 0.75, (1024, 768), paper={"texture": "linen", "relief": 0.0003, "scale": 0.05,
+                                   "reflectance": [0.78, 0.74, 0.66]},
         palette=[{"name": n, "color": c, "opacity": OPACITY.get(n, 0.7)}
                  for n, c in PALETTE.items()],
-        title="River with rain", recorded_by="samples/first-painting/make.py")
+        model={"friction_viscosity_floor": 0.0005}, title="River with rain", recorded_by="samples/first-painting/make.py")
     painter = Painter(recording, seed=2016)
     recording.event("gravity", x=0, y=0, z=9.81)
     recording.wait(0.2)
-    for part in (paint_sky, paint_clouds, paint_hills, paint_meadow, paint_river, paint_rain):
+    for part in (paint_sky, paint_clouds, paint_hills, paint_ground, paint_meadow, paint_river):
         part(painter)
         recording.event("mark", name=part.__name__.replace("_", " "))
+    recording.event("dry")
+    paint_rain(painter)
     recording.event("dry")
     recording.wait(0.2)
     for part in (glaze, paint_tree, paint_grass_and_flowers, paint_lights, sign):

@@ -48,7 +48,8 @@ def main():
     top = (HEIGHT - scale * (max(ys) - min(ys))) / 2 - scale * min(ys)
 
     recording = Recording(WIDTH, HEIGHT, (1024, 512), palette=PALETTE,
-                          paper={"texture": "linen", "relief": 0.0001, "scale": 0.05},
+                          paper={"texture": "linen", "relief": 0.0001, "scale": 0.05,
+                                 "reflectance": [0.8, 0.78, 0.72]},
                           title="Digital ink", recorded_by="WILL3, by samples/wacom-ink/make.py")
     recording.event("brush", name="round")
     recording.slider(size=0.0075, medium=0.3, pigment=0.9)
