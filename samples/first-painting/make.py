@@ -168,7 +168,7 @@ def paint_rain(p):
             p.stroke([(x, y + back), (x + 0.006, y + 0.01 + back), (x + 0.014, y + 0.004 + back)],
                      speed=0.15, pressure=0.9, pause=0.02)
     r.event("mark", name="before the tilt")
-    turn_tablet(r, [(0.0, 0), (0.9, 55), (4.6, 55), (5.4, 0)])
+    turn_tablet(r, [(0.0, 0), (0.9, 60), (7.2, 60), (8.0, 0)])
     r.event("mark", name="after the tilt")
     r.wait(0.6)
 
@@ -266,7 +266,7 @@ def main():
                                    "reflectance": [0.78, 0.74, 0.66]},
         palette=[{"name": n, "color": c, "opacity": OPACITY.get(n, 0.7)}
                  for n, c in PALETTE.items()],
-        model={"friction_viscosity_floor": 0.0005}, title="River with rain", recorded_by="samples/first-painting/make.py")
+        model={"friction_viscosity_floor": 0.0004}, title="River with rain", recorded_by="samples/first-painting/make.py")
     painter = Painter(recording, seed=2016)
     recording.event("gravity", x=0, y=0, z=9.81)
     recording.wait(0.2)
