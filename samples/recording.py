@@ -52,7 +52,7 @@ class Recording:
         self.event("touch", time, **fields)
 
     def samples(self, rows, id=0):
-        """One stroke of recorded samples: rows of (time, x, y, pressure, tilt), tilt may be None."""
+        """One recorded stroke: rows of (time, x, y, pressure, tilt); tilt may be None."""
         if len(rows) == 1:
             rows = [rows[0], rows[0]]
         for n, (time, x, y, pressure, tilt) in enumerate(rows):

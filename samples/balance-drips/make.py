@@ -42,7 +42,7 @@ def main():
         palette=[{"name": n, "color": c, "opacity": o} for n, c, o in PALETTE],
         paper={"texture": "linen", "relief": 0.0003, "scale": 0.05,
                "reflectance": [0.8, 0.78, 0.72]},
-        model={"friction_viscosity_floor": 0.0006},
+        model={"scheme": "conservative", "friction_viscosity_floor": 0.0006},
         title="Picked up", recorded_by="samples/balance-drips/make.py")
     painter = Painter(recording, seed=7)
     accelerations = list(read_accelerations())

@@ -51,12 +51,14 @@ def main():
     strokes = read_strokes()
     us = [row["u"] for stroke in strokes for row in stroke]
     vs = [row["v"] for stroke in strokes for row in stroke]
-    scale = min((WIDTH - 2 * MARGIN) / (max(us) - min(us)), (HEIGHT - 2 * MARGIN) / (max(vs) - min(vs)))
+    scale = min((WIDTH - 2 * MARGIN) / (max(us) - min(us)),
+                (HEIGHT - 2 * MARGIN) / (max(vs) - min(vs)))
     left = (WIDTH - scale * (max(us) + min(us))) / 2
     top = (HEIGHT - scale * (max(vs) + min(vs))) / 2
 
     recording = Recording(
-        WIDTH, HEIGHT, (768, 1024), paper={"texture": "linen", "relief": 0.0003, "scale": 0.05,
+        WIDTH, HEIGHT, (768, 1024), model={"scheme": "conservative"},
+        paper={"texture": "linen", "relief": 0.0003, "scale": 0.05,
                "reflectance": [0.8, 0.78, 0.72]},
         title="Blue Tit",
         author="Tilt Brush sample sketches, Google", recorded_by="samples/blue-tit/make.py",
@@ -73,9 +75,11 @@ def main():
             size = first["size"]
             recording.event("slider", begin, name="size", value=rounded(BRUSH * scale * size))
         recording.samples([(begin + row["t_s"] - first["t_s"], left + scale * row["u"],
-                            top + scale * row["v"], row["pressure"], None) for row in stroke], finger)
+                            top + scale * row["v"], row["pressure"], None) for row in stroke],
+                          finger)
         end = begin + stroke[-1]["t_s"] - first["t_s"]
-        recording.event("x-depth", end, id=finger, w=[rounded(scale * row["w"], 4) for row in stroke])
+        recording.event("x-depth", end, id=finger,
+                        w=[rounded(scale * row["w"], 4) for row in stroke])
     recording.write(output_path(HERE / "blue-tit.jsonl.gz"))
 
 

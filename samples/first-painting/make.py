@@ -151,7 +151,8 @@ def paint_river(p):
         p.color(["titanium white", "ultramarine", "warm light"][n % 3])
         y = 0.51 + 0.024 * n
         x, w = river_middle(y), 0.7 * river_half_width(y)
-        p.stroke([(x - w, y), (x - 0.4 * w, y + 0.008), (x + 0.1 * w, y - 0.006), (x + w, y + 0.004)],
+        p.stroke([(x - w, y), (x - 0.4 * w, y + 0.008), (x + 0.1 * w, y - 0.006),
+                  (x + w, y + 0.004)],
                  speed=0.26, pressure=0.6)
 
 
@@ -186,14 +187,15 @@ def glaze(p):
 
 def paint_tree(p):
     p.brush("knife", size=0.024, medium=0.5, pigment=1.0)
-    for dx, size, color in [(0.006, 0.026, "umber"), (-0.008, 0.018, "umber"), (0.0, 0.02, "umber")]:
-        p.color(color)
+    p.color("umber")
+    for dx, size in [(0.006, 0.026), (-0.008, 0.018), (0.0, 0.02)]:
         p.recording.slider(size=size)
         p.stroke([(0.83 + 1.6 * dx, 0.67), (0.828 + dx, 0.57), (0.838 + 0.5 * dx, 0.46),
                   (0.845 + 0.2 * dx, 0.36)], speed=0.3, pressure=0.8)
     p.brush("round", size=0.011)
-    for x0, y0, x1, y1 in [(0.832, 0.5, 0.75, 0.4), (0.84, 0.46, 0.91, 0.37), (0.842, 0.42, 0.8, 0.33),
-                           (0.845, 0.4, 0.885, 0.31), (0.835, 0.53, 0.925, 0.45)]:
+    for x0, y0, x1, y1 in [(0.832, 0.5, 0.75, 0.4), (0.84, 0.46, 0.91, 0.37),
+                           (0.842, 0.42, 0.8, 0.33), (0.845, 0.4, 0.885, 0.31),
+                           (0.835, 0.53, 0.925, 0.45)]:
         p.stroke([(x0, y0), ((x0 + x1) / 2 + 0.006, (y0 + y1) / 2 - 0.014), (x1, y1)], speed=0.3,
                  pressure=0.7)
     p.brush("bristle", medium=0.62, pigment=1.0)
@@ -266,7 +268,8 @@ def main():
                                    "reflectance": [0.78, 0.74, 0.66]},
         palette=[{"name": n, "color": c, "opacity": OPACITY.get(n, 0.7)}
                  for n, c in PALETTE.items()],
-        model={"friction_viscosity_floor": 0.0004}, title="River with rain", recorded_by="samples/first-painting/make.py")
+        model={"scheme": "conservative", "friction_viscosity_floor": 0.0004},
+        title="River with rain", recorded_by="samples/first-painting/make.py")
     painter = Painter(recording, seed=2016)
     recording.event("gravity", x=0, y=0, z=9.81)
     recording.wait(0.2)

@@ -27,11 +27,12 @@ def mark(recording, x, y, pressure, twist=lambda u: 0.0, tilt=(0.0, 0.0)):
 
 
 def main():
-    recording = Recording(0.6, 0.4, (768, 512), paper={"texture": "linen", "relief": 0.0003, "scale": 0.05,
+    recording = Recording(
+        0.6, 0.4, (768, 512), model={"scheme": "conservative"},
+        paper={"texture": "linen", "relief": 0.0003, "scale": 0.05,
                "reflectance": [0.8, 0.78, 0.72]},
-        title="Tips and pressures",
-                          palette=[{"name": n, "color": c} for n, c in TIPS],
-                          recorded_by="samples/tips/make.py")
+        palette=[{"name": n, "color": c} for n, c in TIPS],
+        title="Tips and pressures", recorded_by="samples/tips/make.py")
     recording.slider(size=0.026, medium=0.5, pigment=0.9)
     for row, (tip, _) in enumerate(TIPS):
         recording.event("brush", name=tip)

@@ -22,8 +22,8 @@ WIDTH, HEIGHT = 1.0, 0.5
 LONGEST_PAUSE = 0.3
 COLORS = {("74", "74", "74"): "payne's grey", ("33", "33", "33"): "ivory black",
           ("0", "150", "255"): "cerulean"}
-PALETTE = [{"name": "payne's grey", "color": "#3a4150"}, {"name": "ivory black", "color": "#1d1a18"},
-           {"name": "cerulean", "color": "#0e86d4"}]
+PALETTE = [{"name": "payne's grey", "color": "#3a4150"},
+           {"name": "ivory black", "color": "#1d1a18"}, {"name": "cerulean", "color": "#0e86d4"}]
 
 
 def tilt(altitude, azimuth):
@@ -48,6 +48,7 @@ def main():
     top = (HEIGHT - scale * (max(ys) - min(ys))) / 2 - scale * min(ys)
 
     recording = Recording(WIDTH, HEIGHT, (1024, 512), palette=PALETTE,
+                          model={"scheme": "conservative"},
                           paper={"texture": "linen", "relief": 0.0001, "scale": 0.05,
                                  "reflectance": [0.8, 0.78, 0.72]},
                           title="Digital ink", recorded_by="WILL3, by samples/wacom-ink/make.py")
