@@ -10,7 +10,7 @@ enum class SchemeKind { kPaper, kConservative };
 enum class OpticalThickness { kAmount, kDepth };
 
 struct Model {
-  SchemeKind scheme = SchemeKind::kPaper;
+  SchemeKind scheme = SchemeKind::kConservative;
   int layers = 2;                        // 1..8
   float nu_min_m2_s = 1e-6f;             // viscosity at theta <= alpha
   float nu_max_m2_s = 1e-2f;             // viscosity at theta >= beta
@@ -24,7 +24,7 @@ struct Model {
   float bed_friction = 1.0f;             // times 3 nu / d^2; `conservative` only
   float friction_viscosity_floor_m2_s = 1e-3f;  // lower bound of nu in the friction; `conservative`
   float speed_cap_m_s = 1.4007f;                // 2 sqrt(g max_medium), g = 9.81; 0 = off
-  float pigment_residue = 4e-4f;                 // sticks to the paper for ever (R19)
+  float pigment_residue = 4e-4f;                // sticks to the paper for ever (R19)
   bool phi_scales_lateral = true;               // reading (a) of A7
   bool superbee = false;    // limiter of `conservative`: superbee in place of MC
   float brush_push = 0.2f;  // alpha of the stamp displacement; `conservative`
