@@ -5,6 +5,7 @@
 #include <CLI/Formatter.hpp>
 
 #include "cli/command.h"
+#include "cli/range.h"
 #include "replay/compare/compare.h"
 
 namespace pentimento::cli {
@@ -27,14 +28,19 @@ int run_compare(const Arguments& arguments) {
   app.add_option("a", a, "picture or state dump")->required();
   app.add_option("b", b, "picture or state dump")->required();
   app.add_option("--max", allowed.max, "largest difference allowed in each channel")
-      ->check(CLI::NonNegativeNumber);
-  app.add_option("--rms", allowed.rms, "largest RMS difference")->check(CLI::NonNegativeNumber);
-  app.add_option("--psnr", allowed.psnr_db, "smallest PSNR, dB");
+      ->check(in_range(0, 1e300))
+      ->type_name("N");
+  app.add_option("--rms", allowed.rms, "largest RMS difference")
+      ->check(in_range(0, 1e300))
+      ->type_name("N");
+  app.add_option("--psnr", allowed.psnr_db, "smallest PSNR, dB")->type_name("N");
   app.add_option("--differing", allowed.differing, "largest share of differing values, 0..1")
-      ->check(CLI::Range(0.0, 1.0));
+      ->check(in_range(0.0, 1.0))
+      ->type_name("N");
   app.add_option("--flip", allowed.flip, "largest mean FLIP of pictures, 0..1")
-      ->check(CLI::Range(0.0, 1.0));
-  app.add_option("--threads", thread_count, "0 = all")->check(CLI::Range(0, 1024));
+      ->check(in_range(0.0, 1.0))
+      ->type_name("N");
+  app.add_option("--threads", thread_count, "0 = all")->check(in_range(0, 1024))->type_name("N");
   app.add_flag("--json", json, "one JSON object");
   if (const std::optional<int> code = parse(app, arguments)) return *code;
   const Threads threads(thread_count);

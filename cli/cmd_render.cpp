@@ -9,6 +9,7 @@
 #include "cli/command.h"
 #include "cli/picture_options.h"
 #include "cli/progress.h"
+#include "cli/range.h"
 #include "cli/talk.h"
 #include "cli/values.h"
 #include "replay/dry_run.h"
@@ -36,15 +37,20 @@ struct Options {
 };
 
 void add_replay_options(CLI::App& app, Options& o) {
-  app.add_option("log", o.job.log, "the action log; `-` is standard input")->required();
+  app.add_option("log", o.job.log, "the action log; `-` is standard input")
+      ->required()
+      ->type_name("");
   app.add_option("--sim-scale", o.job.sim_scale, "simulation grid / output size")
-      ->check(CLI::Range(1e-3, 1e3));
+      ->check(in_range(1e-3, 1e3))
+      ->type_name("F");
   app.add_option("--at", o.at, "stop at seconds, step:N or mark:NAME; repeatable, `%` in the name")
-      ->allow_extra_args(false);
+      ->allow_extra_args(false)
+      ->type_name("WHEN");
   app.add_option("--settle", o.job.settle_s, "go on for so many seconds after the end")
-      ->check(CLI::Range(0.0, 1e6));
+      ->check(in_range(0.0, 1e6))
+      ->type_name("S");
   app.add_option("--from", o.job.from, "start from a state dump")->type_name("STATE.h5");
-  app.add_option("--scheme", o.scheme, "of the fluid: conservative or paper");
+  app.add_option("--scheme", o.scheme, "of the fluid: conservative or paper")->type_name("NAME");
   app.add_option("--set", o.set, "a parameter of the model; repeatable")
       ->allow_extra_args(false)
       ->type_name("model.NAME=VALUE");
@@ -58,13 +64,17 @@ void add_limit_options(CLI::App& app, Options& o) {
                "replay a log that is cut short in its last line");
   app.add_flag("--allow-outside", o.job.reading.allow_outside,
                "the log may name files outside its folder");
-  app.add_option("--memory-limit", o.memory_limit, "refuse a job that needs more (8G)");
+  app.add_option("--memory-limit", o.memory_limit, "refuse a job that needs more (8G)")
+      ->type_name("BYTES");
   app.add_option("--max-events", limits.max_events, "refuse a log with more")
-      ->check(CLI::PositiveNumber);
+      ->check(in_range(1, 1e18))
+      ->type_name("N");
   app.add_option("--max-steps", limits.max_steps, "refuse a log that takes more")
-      ->check(CLI::PositiveNumber);
+      ->check(in_range(1, 1e18))
+      ->type_name("N");
   app.add_option("--max-line", limits.max_line_bytes, "refuse longer lines, bytes")
-      ->check(CLI::PositiveNumber);
+      ->check(in_range(1, 1e18))
+      ->type_name("N");
   app.add_flag("--dry-run", o.dry_run, "tell size, steps, memory, disk and time; do nothing");
 }
 

@@ -5,6 +5,7 @@
 #include <CLI/Formatter.hpp>
 #include <algorithm>
 
+#include "cli/range.h"
 #include "cli/values.h"
 
 namespace pentimento::cli {
@@ -41,14 +42,21 @@ void PictureOptions::add_to(CLI::App& app) {
                  "write .png, .exr or .h5; `-` is PNG on standard output; repeatable")
       ->allow_extra_args(false)
       ->type_name("FILE");
-  app.add_option("--width", width, "pixels; the height follows")->check(CLI::Range(1, 1 << 20));
-  app.add_option("--height", height, "pixels; the width follows")->check(CLI::Range(1, 1 << 20));
-  app.add_option("--scale", scale, "times the grid")->check(CLI::Range(1e-6, 1e6));
-  app.add_option("--print", print, "on paper: 60x45cm, 24x18in, 600x450mm, A2");
+  app.add_option("--width", width, "pixels; the height follows")
+      ->check(in_range(1, 1 << 20))
+      ->type_name("N");
+  app.add_option("--height", height, "pixels; the width follows")
+      ->check(in_range(1, 1 << 20))
+      ->type_name("N");
+  app.add_option("--scale", scale, "times the grid")->check(in_range(1e-6, 1e6))->type_name("S");
+  app.add_option("--print", print, "on paper: 60x45cm, 24x18in, 600x450mm, A2")->type_name("SIZE");
   app.add_option("--dpi", dpi, "dots per inch, written into the file (300 with --print)")
-      ->check(CLI::Range(1.0, 1e5));
+      ->check(in_range(1.0, 1e5))
+      ->type_name("N");
   app.add_option("--crop", crop, "only this part of the picture, in pixels")->type_name("X,Y,W,H");
-  app.add_option("--bit-depth", bit_depth, "of PNG")->check(CLI::IsMember({8, 16}));
+  app.add_option("--bit-depth", bit_depth, "of PNG")
+      ->check(CLI::IsMember({8, 16}).description(""))
+      ->type_name("8|16");
   app.add_flag("--float", full_float, "EXR in full instead of half precision");
   app.add_option("--aov", aov,
                  "extra EXR layers: albedo, normal, height, depth, diffuse, specular, reflection, "
@@ -58,11 +66,16 @@ void PictureOptions::add_to(CLI::App& app) {
       ->type_name("X,Y,Z");
   app.add_option("--environment", environment, "panorama that lights the picture (HDR, EXR, ...)")
       ->type_name("FILE");
-  app.add_option("--exposure", exposure, "stops")->check(CLI::Range(-100.0, 100.0));
-  app.add_option("--tile", tile, "side of a shading tile, pixels")->check(CLI::Range(16, 4096));
+  app.add_option("--exposure", exposure, "of the picture")
+      ->check(in_range(-100.0, 100.0))
+      ->type_name("STOPS");
+  app.add_option("--tile", tile, "side of a shading tile, pixels")
+      ->check(in_range(16, 4096))
+      ->type_name("N");
   app.add_option("--backend", backend, "of shading")
-      ->check(CLI::IsMember({"auto", "osmesa", "egl"}));
-  app.add_option("--threads", threads, "0 = all")->check(CLI::Range(0, 1024));
+      ->check(CLI::IsMember({"auto", "osmesa", "egl"}).description(""))
+      ->type_name("auto|osmesa|egl");
+  app.add_option("--threads", threads, "0 = all")->check(in_range(0, 1024))->type_name("N");
   app.add_flag("--no-clobber", no_clobber, "never replace a file");
 }
 
@@ -111,7 +124,7 @@ SizeRequest PictureOptions::size() const {
 
 void TalkOptions::add_to(CLI::App& app) {
   app.add_flag("--quiet", quiet, "no progress, no words; errors only");
-  app.add_option("--progress", progress, "auto, tty, ndjson or none");
+  app.add_option("--progress", progress, "auto, tty, ndjson or none")->type_name("MODE");
   app.add_flag("--json", json, "closing report as JSON on standard output");
 }
 

@@ -1,0 +1,13 @@
+#pragma once
+// A check of numbers whose message reads as those of logs do, and which leaves help readable.
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+
+namespace pentimento::cli {
+
+/// Accepts a number, written with a point in any locale, from `min` to `max`.
+CLI::Validator in_range(double min, double max);
+
+}  // namespace pentimento::cli
