@@ -3,6 +3,7 @@
 
 #include "formats/hdf5/handle.h"
 #include "formats/hdf5/read_small.h"
+#include "formats/hdf5/rehearsal.h"
 #include "formats/hdf5/state_dump.h"
 #include "formats/io/describe.h"
 
@@ -30,9 +31,7 @@ Provenance all_notes(hid_t file, hid_t root) {
   return notes;
 }
 
-}  // namespace
-
-Result<FileDescription> describe_state(const std::string& path) {
+Result<FileDescription> describe_here(const std::string& path) {
   const hdf5::Silence silence;
   const hdf5::Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
   if (!file.ok()) return Error{ErrorCode::kBadInput, path + ": a damaged or cut short HDF5 file"};
@@ -49,6 +48,14 @@ Result<FileDescription> describe_state(const std::string& path) {
   out.samples = fmt::format("{} layers x {} channels", (*shape)[0], (*shape)[1]);
   out.provenance = all_notes(file.id(), root.id());
   return out;
+}
+
+}  // namespace
+
+Result<FileDescription> describe_state(const std::string& path) {
+  const Result<void> survived = hdf5::rehearse(path, [&] { (void)describe_here(path).ok(); });
+  if (!survived) return survived.error();
+  return describe_here(path);
 }
 
 }  // namespace pentimento

@@ -11,6 +11,7 @@
 #include "formats/hdf5/layout.h"
 #include "formats/hdf5/read_canvas.h"
 #include "formats/hdf5/read_small.h"
+#include "formats/hdf5/rehearsal.h"
 #include "formats/hdf5/state_dump.h"
 #include "formats/log/model_fields.h"
 
@@ -236,15 +237,21 @@ Result<void> check_signature(const std::string& path) {
   return {};
 }
 
+Result<StateDump> read_here(const std::string& path) {
+  const hdf5::Silence silence;
+  const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+  if (!file.ok()) return Error{ErrorCode::kBadInput, path + ": a damaged or cut short HDF5 file"};
+  return StateReader(path, file.id()).read();
+}
+
 }  // namespace
 
 Result<StateDump> read_state(const std::string& path) {
   if (const Result<void> signed_file = check_signature(path); !signed_file)
     return signed_file.error();
-  const hdf5::Silence silence;
-  const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
-  if (!file.ok()) return Error{ErrorCode::kBadInput, path + ": a damaged or cut short HDF5 file"};
-  return StateReader(path, file.id()).read();
+  const Result<void> survived = hdf5::rehearse(path, [&] { (void)read_here(path).ok(); });
+  if (!survived) return survived.error();
+  return read_here(path);
 }
 
 }  // namespace pentimento

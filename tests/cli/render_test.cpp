@@ -121,7 +121,7 @@ TEST(CommandRender, ADumpCanBeContinued) {
 TEST(CommandRender, AModelParameterCanBeSet) {
   const Workplace place;
   const Ran a = place.run("render a.jsonl -o a.h5 --json");
-  const Ran b = place.run("render a.jsonl -o b.h5 --set model.nu_max=2e-2 --json");
+  const Ran b = place.run("render a.jsonl -o b.h5 --set model.film_medium=1e-3 --json");
   ASSERT_EQ(b.code, 0) << b.err;
   EXPECT_NE(json_member(a.out, "state_sha256"), json_member(b.out, "state_sha256"));
   for (const char* bad : {"nu_max=1", "model.nu_maxx=1", "model.nu_max=x", "model.nu_max=-1"}) {

@@ -1,0 +1,17 @@
+#pragma once
+// Reads a dump once in a child process first. libhdf5 does not withstand every damaged file: a
+// flipped byte in its tables can make it read outside its memory or loop. What happens to the child
+// then becomes an error here, not the end of the programme.
+
+#include <functional>
+#include <string>
+
+#include "core/result.h"
+
+namespace pentimento::hdf5 {
+
+/// Runs `read` in a child of this process and forgets what it returns. Errors: kBadInput with
+/// `path` if the child dies or takes longer than a dump can take; kIo if there can be no child.
+Result<void> rehearse(const std::string& path, const std::function<void()>& read);
+
+}  // namespace pentimento::hdf5
