@@ -193,6 +193,7 @@ void Replay::conclude() {
   report_.log_sha256 = session_.plan.sha256;
   report_.threads = threads_.count();
   report_.paint = paint_lines(*simulation_);
+  report_.fluid = simulation_->statistics();
   report_.phases = watch_.phases();
   report_.wall_s = watch_.total_s();
   report_.peak_memory_bytes = peak_memory_bytes();

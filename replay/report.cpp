@@ -87,6 +87,11 @@ std::string report_json(const JobReport& report) {
       .add("guide_sha256", report.guide_sha256)
       .add("log_sha256", report.log_sha256);
   if (!report.paint.empty()) json.add_json("paint", paint_json(report.paint));
+  if (!report.fluid.empty()) {
+    JsonObject fluid;
+    for (const auto& [name, value] : report.fluid) fluid.add(name, value);
+    json.add_json("fluid", fluid.text());
+  }
   std::vector<std::string> phases;
   for (const Phase& phase : report.phases) {
     phases.push_back(JsonObject().add("name", phase.name).add("wall_s", phase.wall_s).text());

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/paint_account.h"
@@ -42,6 +43,8 @@ struct JobReport {
   std::string guide_sha256;
   std::string log_sha256;
   std::vector<PaintLine> paint;  // the medium first, then a line per channel
+  /// What the fluid scheme measured of itself: awake shares, largest speed and depth...
+  std::vector<std::pair<std::string, double>> fluid;
   std::vector<Phase> phases;
 };
 

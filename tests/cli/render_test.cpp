@@ -16,7 +16,7 @@ TEST(CommandRender, WritesPicturesAndStateAndReports) {
   for (const char* key :
        {"outputs", "simulated_s", "wall_s", "peak_memory_bytes", "threads", "state_sha256",
         "guide_sha256", "log_sha256", "paint", "medium", "deposited_m3", "picked_up_m3", "dried_m3",
-        "wet_m3", "relative_difference", "pigments", "phases"}) {
+        "wet_m3", "relative_difference", "pigments", "fluid", "phases"}) {
     EXPECT_NE(ran.out.find(std::string(1, '"').append(key).append("\":")), std::string::npos)
         << key;
   }
