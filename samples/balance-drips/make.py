@@ -40,7 +40,7 @@ def main():
     recording = Recording(
         0.75, 1.0, (768, 1024),
         palette=[{"name": n, "color": c, "opacity": o} for n, c, o in PALETTE],
-        paper={"texture": "linen", "relief": 0.0003, "scale": 0.05,
+        paper={"texture": "linen", "relief": 0.0004, "scale": 0.12,
                "reflectance": [0.8, 0.78, 0.72]},
         model={"scheme": "conservative", "friction_viscosity_floor": 0.0006},
         title="Picked up", recorded_by="samples/balance-drips/make.py")

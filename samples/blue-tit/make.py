@@ -58,7 +58,7 @@ def main():
 
     recording = Recording(
         WIDTH, HEIGHT, (768, 1024), model={"scheme": "conservative"},
-        paper={"texture": "linen", "relief": 0.0003, "scale": 0.05,
+        paper={"texture": "linen", "relief": 0.0004, "scale": 0.12,
                "reflectance": [0.8, 0.78, 0.72]},
         title="Blue Tit",
         author="Tilt Brush sample sketches, Google", recorded_by="samples/blue-tit/make.py",

@@ -264,7 +264,7 @@ def sign(p):
 
 def main():
     recording = Recording(
-        1.0, 0.75, (1024, 768), paper={"texture": "linen", "relief": 0.0003, "scale": 0.05,
+        1.0, 0.75, (1024, 768), paper={"texture": "linen", "relief": 0.0004, "scale": 0.12,
                                    "reflectance": [0.78, 0.74, 0.66]},
         palette=[{"name": n, "color": c, "opacity": OPACITY.get(n, 0.7)}
                  for n, c in PALETTE.items()],

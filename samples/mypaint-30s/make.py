@@ -25,7 +25,7 @@ def main():
     recording = Recording(
         WIDTH, HEIGHT, (1024, 768), palette=[{"name": n, "color": c} for n, c in PALETTE],
         model={"scheme": "conservative"},
-        paper={"texture": "linen", "relief": 0.0003, "scale": 0.05,
+        paper={"texture": "linen", "relief": 0.0004, "scale": 0.12,
                "reflectance": [0.8, 0.78, 0.72]},
         title="Thirty seconds", recorded_by="MyPaint, converted by samples/mypaint-30s/make.py")
     samples = list(read_samples())

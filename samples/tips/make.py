@@ -29,7 +29,7 @@ def mark(recording, x, y, pressure, twist=lambda u: 0.0, tilt=(0.0, 0.0)):
 def main():
     recording = Recording(
         0.6, 0.4, (768, 512), model={"scheme": "conservative"},
-        paper={"texture": "linen", "relief": 0.0003, "scale": 0.05,
+        paper={"texture": "linen", "relief": 0.0003, "scale": 0.08,
                "reflectance": [0.8, 0.78, 0.72]},
         palette=[{"name": n, "color": c} for n, c in TIPS],
         title="Tips and pressures", recorded_by="samples/tips/make.py")

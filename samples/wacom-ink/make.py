@@ -49,7 +49,7 @@ def main():
 
     recording = Recording(WIDTH, HEIGHT, (1024, 512), palette=PALETTE,
                           model={"scheme": "conservative"},
-                          paper={"texture": "linen", "relief": 0.0001, "scale": 0.05,
+                          paper={"texture": "linen", "relief": 0.0002, "scale": 0.09,
                                  "reflectance": [0.8, 0.78, 0.72]},
                           title="Digital ink", recorded_by="WILL3, by samples/wacom-ink/make.py")
     recording.event("brush", name="round")
