@@ -253,8 +253,8 @@ void Transfer::take_up(const Plan& plan, const BrushInHand& hand, Reservoir& res
   const bool lifted =
       std::any_of(paint_sum_.begin(), paint_sum_.end(), [](double sum) { return sum > 0; });
   if (lifted)
-    gather_lifted({paint_, plan.stride}, plan.pose, plan.box, state_.geometry, hand.tip,
-                  reservoir, gathered_);
+    gather_lifted({paint_, plan.stride}, plan.pose, plan.box, state_.geometry, hand.tip, reservoir,
+                  gathered_);
   const double distances = static_cast<double>(plan.stamp->travel_m) /
                            static_cast<double>(kRefillDiameters * plan.pose.diameter_m);
   reservoir.refill(hand.load, hand.tip, share_over(hand.settings.refill, distances));

@@ -36,8 +36,8 @@ struct Image {
   int height = 0;
   std::vector<std::string> name;
   std::vector<Field<float>> plane;
-  std::string format;       // "png", "exr", "hdr", "jpeg", "tiff"
-  int bits = 8;             // of a stored sample
+  std::string format;         // "png", "exr", "hdr", "jpeg", "tiff"
+  int bits = 8;               // of a stored sample
   bool stored_float = false;  // half or float samples
 
   /// nullptr if there is none of that name.

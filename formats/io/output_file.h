@@ -63,7 +63,7 @@ class OutputFile {
   bool no_clobber_ = false;
   bool published_ = false;
   std::string complete_sha256_;  // set by complete()
-  bool sequential_ = true;  // no seek() so far: `written_` is the file's hash
+  bool sequential_ = true;       // no seek() so far: `written_` is the file's hash
   Sha256 written_;
   std::uint64_t position_ = 0;
   std::vector<std::uint8_t> buffer_;

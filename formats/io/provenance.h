@@ -13,10 +13,10 @@ struct FileDescription {
   std::string format;  // "png", "exr", "hdf5"
   int width = 0;       // pixels, or cells of a state dump
   int height = 0;
-  int bits = 0;              // per sample; 0 for a state dump
-  double dpi = 0;            // 0 = not said
-  std::string samples;       // "RGB 8 bit", "half: B G R", "2 layers x 5 channels"
-  Provenance provenance;     // in the file's order
+  int bits = 0;           // per sample; 0 for a state dump
+  double dpi = 0;         // 0 = not said
+  std::string samples;    // "RGB 8 bit", "half: B G R", "2 layers x 5 channels"
+  Provenance provenance;  // in the file's order
 };
 
 /// Errors: kIo, kBadInput (another kind of file, or a broken one).
