@@ -56,6 +56,17 @@ class SamplesTest(unittest.TestCase):
         run = subprocess.run([COMMAND, "validate", *logs()], capture_output=True, text=True)
         self.assertEqual(run.returncode, 0, run.stderr)
 
+    def test_chart_replays_to_its_picture(self):
+        golden = SAMPLES / "tips/tips.png"
+        with tempfile.TemporaryDirectory() as folder:
+            again = pathlib.Path(folder) / "tips.png"
+            subprocess.run([COMMAND, "render", SAMPLES / "tips/tips.jsonl", "-o", again, "--quiet"],
+                           check=True)
+            # Two levels of 8 bits: one for another machine's shader compiler, one for rounding.
+            run = subprocess.run([COMMAND, "compare", golden, again, "--max", "0.0079"],
+                                 capture_output=True, text=True)
+            self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
+
     def test_each_sample_has_its_picture_and_its_page(self):
         for log in logs():
             with self.subTest(log.name):
