@@ -72,6 +72,8 @@ CanvasState change_channels(CanvasState state, const ChannelBasis& old, const Ch
   }
   state.pigment = std::move(pigment);
   state.channels = basis.channels();
+  // Amounts in other units may not rest where the old ones did.
+  if (per_pigment(old) && !per_pigment(basis)) state.sleep.clear();
   return state;
 }
 

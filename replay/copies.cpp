@@ -26,6 +26,7 @@ CanvasState clone_state(const CanvasState& state) {
   copy.pigment = clone_planes(state.pigment);
   copy.stroke = state.stroke.clone();
   copy.step = state.step;
+  copy.sleep = state.sleep;
   return copy;
 }
 

@@ -23,6 +23,19 @@ Result<Model> effective_model(const log::Header& header, const RenderJob& job) {
   return model;
 }
 
+bool same_model(const Model& a, const Model& b) {
+  const auto fields = log::model_fields();
+  return std::all_of(fields.begin(), fields.end(), [&](const log::ModelField& field) {
+    return log::get_model_value(field, a) == log::get_model_value(field, b);
+  });
+}
+
+/// What rested in the dump's model may not rest in the log's.
+void wake_if_changed(const log::Header& header, const Model& model, StateDump& dump) {
+  if (!same_model(model, dump.model) || header.steps_per_second != dump.steps_per_second)
+    dump.state.sleep.clear();
+}
+
 /// The log's planes and palette continue those of the dump.
 Result<void> start_from(const std::string& path, LogSession& session) {
   Result<StateDump> dump = read_state(path);
@@ -43,6 +56,7 @@ Result<void> start_from(const std::string& path, LogSession& session) {
   dump->state = change_channels(std::move(dump->state), dump->basis, session.basis);
   session.canvas = session.grid = canvas;
   session.model.layers = dump->state.layers;
+  wake_if_changed(session.reader->header(), session.model, *dump);
   session.start = std::move(*dump);
   return {};
 }

@@ -12,6 +12,7 @@
 #include "formats/hdf5/read_canvas.h"
 #include "formats/hdf5/read_small.h"
 #include "formats/hdf5/rehearsal.h"
+#include "formats/hdf5/sleep.h"
 #include "formats/hdf5/state_dump.h"
 #include "formats/log/model_fields.h"
 
@@ -211,6 +212,8 @@ Result<StateDump> StateReader::read() {
     const Result<void> filled = hdf5::read_canvas(file_, path_, dataset, dump.state);
     if (!filled) return filled.error();
   }
+  if (const auto slept = hdf5::read_sleep(file_, path_, dump.model, dump.state); !slept)
+    return slept.error();
   if (H5Lexists(file_, "/provenance", H5P_DEFAULT) > 0) {
     const Handle notes(H5Gopen2(file_, "/provenance", H5P_DEFAULT), H5Gclose);
     dump.provenance = hdf5::text_attributes(notes.id());

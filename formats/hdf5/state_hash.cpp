@@ -2,8 +2,10 @@
 #include <fmt/ranges.h>
 
 #include <bit>
+#include <cstring>
 
 #include "formats/hdf5/layout.h"
+#include "formats/hdf5/sleep.h"
 #include "formats/hdf5/state_dump.h"
 #include "formats/io/sha256.h"
 
@@ -15,6 +17,16 @@ namespace {
 void to_little_endian(std::span<std::uint32_t> values) {
   if constexpr (std::endian::native == std::endian::big)
     for (std::uint32_t& v : values) v = __builtin_bswap32(v);
+}
+
+void add_sleep(const CanvasState& state, Sha256& hash) {
+  const std::vector<float> sleep = hdf5::sleep_to_dump(state);
+  hash.update(fmt::format("{} float32 {}\n", hdf5::kSleepName,
+                          fmt::join(hdf5::sleep_shape(sleep.size()), " ")));
+  std::vector<std::uint32_t> bits(sleep.size());
+  std::memcpy(bits.data(), sleep.data(), sleep.size() * sizeof(float));
+  to_little_endian(bits);
+  hash.update(bits.data(), bits.size() * sizeof(std::uint32_t));
 }
 
 }  // namespace
@@ -34,6 +46,7 @@ std::string state_sha256(const CanvasState& state) {
       hash.update(row.data(), row.size() * sizeof(std::uint32_t));
     }
   }
+  if (!state.sleep.empty()) add_sleep(state, hash);
   return hash.hex();
 }
 

@@ -7,6 +7,7 @@
 #include "formats/hdf5/chunked.h"
 #include "formats/hdf5/handle.h"
 #include "formats/hdf5/layout.h"
+#include "formats/hdf5/sleep.h"
 #include "formats/hdf5/state_dump.h"
 #include "formats/hdf5/write_small.h"
 #include "formats/hdf5/xdmf.h"
@@ -181,8 +182,8 @@ std::string file_image(const StateDump& dump, const std::string& hash, const Dum
   for (const char* group : kGroups) ok = ok && hdf5::make_group(file.id(), group);
   const int level = options.deflate_level;
   ok = ok && write_canvas(file.id(), dump.state, level, threads) &&
-       write_basis(file.id(), dump.basis) && write_palette(file.id(), dump) &&
-       write_lighting(file.id(), dump.lighting, level, threads) &&
+       hdf5::write_sleep(file.id(), dump.state) && write_basis(file.id(), dump.basis) &&
+       write_palette(file.id(), dump) && write_lighting(file.id(), dump.lighting, level, threads) &&
        write_root(file.id(), dump, hash, options.provenance) &&
        H5Fflush(file.id(), H5F_SCOPE_GLOBAL) >= 0;
   const ssize_t size = ok ? H5Fget_file_image(file.id(), nullptr, 0) : -1;

@@ -118,6 +118,32 @@ TEST(CommandRender, ADumpCanBeContinued) {
   EXPECT_EQ(place.run("compare a.h5 b.h5").code, 1);
 }
 
+/// The first two lines of a log on 80 x 60 cells, and gravity.
+std::string idle_log(const std::string& first, double end_s) {
+  return kSmallLog.substr(0, kSmallLog.find('\n') + 1) + first +
+         R"({"t":0,"type":"gravity","x":2,"y":3,"z":9})" + "\n" + R"({"t":)" +
+         std::to_string(end_s) + R"(,"type":"mark","name":"over"})" + "\n";
+}
+
+TEST(CommandRender, ASessionCutInTwoEndsInTheStateOfTheWhole) {
+  Workplace place;
+  // Whole: 1.2 s as recorded (55 steps), then 180 steps in which paint flows and comes to rest.
+  // Its picked colour #e0c020 joins the palette in both parts.
+  place.write("whole.jsonl", kSmallLog + R"({"t":5.21,"type":"mark","name":"over"})" + "\n");
+  const std::string colour = R"({"t":0,"type":"color","value":"#e0c020"})";
+  place.write("idle.jsonl", idle_log(colour + "\n", 3.99));
+  for (const std::string scheme : {"conservative", "paper"}) {
+    const std::string with = " --json --scheme " + scheme;
+    const Ran whole = place.run("render whole.jsonl -o whole.h5" + with);
+    ASSERT_EQ(place.run("render a.jsonl -o half.h5" + with).code, 0);
+    const Ran rest = place.run("render idle.jsonl --from half.h5 -o rest.h5" + with);
+    ASSERT_EQ(rest.code, 0) << rest.err;
+    EXPECT_EQ(json_member(rest.out, "steps"), "180");
+    EXPECT_EQ(json_member(rest.out, "state_sha256"), json_member(whole.out, "state_sha256"));
+    EXPECT_EQ(place.run("compare whole.h5 rest.h5").code, 0);
+  }
+}
+
 TEST(CommandRender, AModelParameterCanBeSet) {
   const Workplace place;
   const Ran a = place.run("render a.jsonl -o a.h5 --json");

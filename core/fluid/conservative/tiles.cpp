@@ -6,12 +6,9 @@
 namespace pentimento::conservative {
 namespace {
 
-// Memory of one tile in CanvasState::sleep.
-enum SleepValue { kAsleep, kGravityX, kGravityY, kGravityZ, kFeelsGravity, kSleepValues };
-
-int tile_cells(float tile_m, float cell_m) {
+int tile_cells(float tile_m, float cell_m, int side) {
   int cells = 8;
-  while (static_cast<float>(2 * cells) * cell_m <= tile_m * 1.0001f) cells *= 2;
+  while (cells < side && static_cast<float>(2 * cells) * cell_m <= tile_m * 1.0001f) cells *= 2;
   return cells;
 }
 
@@ -26,8 +23,8 @@ Tiles::Tiles(const CanvasGeometry& geometry, float tile_m)
       height_(geometry.height),
       dx_m_(geometry.dx_m()),
       dy_m_(geometry.dy_m()),
-      tile_width_(tile_cells(tile_m, dx_m_)),
-      tile_height_(tile_cells(tile_m, dy_m_)),
+      tile_width_(tile_cells(tile_m, dx_m_, width_)),
+      tile_height_(tile_cells(tile_m, dy_m_, height_)),
       columns_((width_ + tile_width_ - 1) / tile_width_),
       rows_((height_ + tile_height_ - 1) / tile_height_),
       awake_(static_cast<std::size_t>(count()), 0),

@@ -23,6 +23,10 @@
 
 namespace pentimento::conservative {
 
+/// Memory of one tile in CanvasState::sleep, tile after tile, row by row: whether it sleeps (0 or
+/// 1), gravity when it fell asleep (m/s^2, y down), whether any of its paint feels gravity.
+enum SleepValue { kAsleep, kGravityX, kGravityY, kGravityZ, kFeelsGravity, kSleepValues };
+
 /// Cells [x0, x1) x [y0, y1).
 struct CellBox {
   int x0 = 0, x1 = 0, y0 = 0, y1 = 0;
@@ -31,7 +35,8 @@ struct CellBox {
 
 class Tiles {
  public:
-  /// Tiles of the largest power of two of cells, at least 8, not wider than tile_m.
+  /// Tiles of the largest power of two of cells, at least 8, not wider than tile_m;
+  /// none larger than it takes for one to cover the canvas.
   Tiles(const CanvasGeometry& geometry, float tile_m);
 
   int columns() const { return columns_; }

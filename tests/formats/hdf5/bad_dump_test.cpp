@@ -44,10 +44,11 @@ class BadDump : public testing::Test {
     const Handle attribute(H5Aopen(file, name, H5P_DEFAULT), H5Aclose);
     H5Awrite(attribute.id(), H5T_NATIVE_DOUBLE, &value);
   }
-  static void set_float(hid_t file, const char* name, float value) {
+  static void set_float(hid_t file, const char* name, float value, hsize_t row = 4,
+                        hsize_t column = 5) {
     const Handle dataset(H5Dopen2(file, name, H5P_DEFAULT), H5Dclose);
     const hsize_t one = 1;
-    const hsize_t at[2] = {4, 5};
+    const hsize_t at[2] = {row, column};
     const Handle memory(H5Screate_simple(1, &one, nullptr), H5Sclose);
     const Handle space(H5Dget_space(dataset.id()), H5Sclose);
     H5Sselect_elements(space.id(), H5S_SELECT_SET, 1, at);
@@ -105,6 +106,42 @@ TEST_F(BadDump, AnotherSizeIsNamed) {
               H5Lcopy(f, "/layers/K", f, "/canvas/paper", H5P_DEFAULT, H5P_DEFAULT);
             }),
             "/canvas/paper is 3 x 3, must be 7 x 9");
+}
+
+TEST_F(BadDump, AsleepMustHaveARowForEachTile) {
+  EXPECT_EQ(after([](hid_t f) {
+              H5Ldelete(f, "/fluid/asleep", H5P_DEFAULT);
+              H5Lcopy(f, "/layers/K", f, "/fluid/asleep", H5P_DEFAULT, H5P_DEFAULT);
+            }),
+            "/fluid/asleep is 3 x 3, must be 2 x 5");
+  EXPECT_EQ(code_, ErrorCode::kBadInput);
+}
+
+TEST_F(BadDump, AsleepMustFitTheTilesOfTheModel) {
+  // 9 cells of 6.7 cm: tiles have 8 cells, and 16 where they may be as wide as the canvas.
+  EXPECT_EQ(after([](hid_t f) { set_number(f, "sleep_tile", 10); }),
+            "/fluid/asleep is 2 x 5, must be 1 x 5");
+}
+
+TEST_F(BadDump, AsleepMustBeFiniteNumbers) {
+  EXPECT_EQ(after([](hid_t f) { set_float(f, "/fluid/asleep", NAN, 1, 4); }),
+            "/fluid/asleep has a value that is not finite");
+  EXPECT_EQ(after([](hid_t f) {
+              H5Ldelete(f, "/fluid/asleep", H5P_DEFAULT);
+              H5Lcopy(f, "/layers/channel", f, "/fluid/asleep", H5P_DEFAULT, H5P_DEFAULT);
+            }),
+            "/fluid/asleep is 3, must be 2 x 5");
+}
+
+TEST_F(BadDump, ACanvasOfNoWidthHasTilesToo) {
+  // Cells whose width is zero in single precision: the search for the size of a tile must end.
+  EXPECT_EQ(after([](hid_t f) { set_number(f, "canvas_width_m", 1e-300); }),
+            "/fluid/asleep is 2 x 5, must be 1 x 5");
+}
+
+TEST_F(BadDump, ALostAsleepIsFoundByTheHash) {
+  const std::string message = after([](hid_t f) { H5Ldelete(f, "/fluid/asleep", H5P_DEFAULT); });
+  EXPECT_EQ(message.find("its values have the hash "), 0u) << message;
 }
 
 TEST_F(BadDump, AChangedValueIsFoundByTheHash) {

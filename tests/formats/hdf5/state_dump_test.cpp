@@ -38,6 +38,7 @@ void expect_same_state(const CanvasState& a, const CanvasState& b) {
   expect_same_bits(a.base_m, b.base_m);
   expect_same_bits(a.paper_m, b.paper_m);
   expect_same_bits(a.stroke, b.stroke);
+  EXPECT_EQ(a.sleep, b.sleep);
   ASSERT_EQ(a.pigment.size(), b.pigment.size());
   for (std::size_t i = 0; i < a.pigment.size(); ++i) expect_same_bits(a.pigment[i], b.pigment[i]);
   for (std::size_t i = 0; i < a.reflectance.size(); ++i)
@@ -139,7 +140,7 @@ shapes = {'/fluid/height': (47, 61), '/fluid/depth': (47, 61), '/fluid/velocity_
           '/canvas/reflectance': (47, 61, 3), '/layers/pigment': (2, 3, 47, 61),
           '/layers/stroke': (47, 61), '/layers/channel': (3,), '/palette/name': (3,),
           '/palette/K': (3, 3), '/palette/S': (3, 3), '/palette/wavelength': (3,),
-          '/lighting/sh': (9, 3)}
+          '/lighting/sh': (9, 3), '/fluid/asleep': (8 * 6, 5)}  # tiles of 8 cells
 for name, shape in shapes.items():
     assert f[name].shape == shape, (name, f[name].shape)
     assert 'units' in f[name].attrs and 'long_name' in f[name].attrs, name
@@ -179,6 +180,19 @@ TEST(StateHash, TheDocumentedScriptFindsTheSameHash) {
   EXPECT_EQ(text, state_sha256(dump.state) + "\n");
 }
 
+TEST(StateHash, TheDocumentedScriptFindsTheSameHashWhereAllIsAwake) {
+  const Scratch scratch;
+  StateDump dump = made_up_dump(61, 47, 2, 3);
+  dump.state.sleep.clear();
+  ASSERT_TRUE(write_state(scratch.path("a.h5"), dump, {}));
+  test::spill(scratch.path("hash.py"), documented_script());
+  EXPECT_EQ(test::run(kPython + scratch.path("hash.py") + " " + scratch.path("a.h5")).second,
+            state_sha256(dump.state) + "\n");
+  const auto back = read_state(scratch.path("a.h5"));
+  ASSERT_TRUE(back) << back.error().message;
+  EXPECT_TRUE(back->state.sleep.empty());
+}
+
 TEST(StateHash, ChangesWithEveryPlane) {
   const StateDump dump = made_up_dump(9, 8, 2, 1);
   const std::string before = state_sha256(dump.state);
@@ -197,6 +211,8 @@ TEST(StateHash, ChangesWithEveryPlane) {
   EXPECT_TRUE(changed([](CanvasState& s) { s.channel(1, 0)(8, 7) += 1; }));
   EXPECT_TRUE(changed([](CanvasState& s) { s.stroke(8, 7) += 1; }));
   EXPECT_TRUE(changed([](CanvasState& s) { s.step += 1; }));
+  EXPECT_TRUE(changed([](CanvasState& s) { s.sleep.back() += 1; }));
+  EXPECT_TRUE(changed([](CanvasState& s) { s.sleep.clear(); }));
 }
 
 TEST(StateHash, IsFrozen) {
