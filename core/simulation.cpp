@@ -69,6 +69,7 @@ struct Simulation::Impl {
     scheme = make_scheme(model.scheme, setup.geometry, state.layers, state.channels);
     contact = make_brush_contact(setup.geometry.width, setup.geometry.height);
     transfer.emplace(state, contact, account, amount, threads);
+    transfer->set_observer(observer);
   }
 
   /// What the sliders and the colour say the brush holds.
@@ -96,6 +97,7 @@ struct Simulation::Impl {
   BrushContact contact;
   std::unique_ptr<FluidScheme> scheme;
   std::optional<Transfer> transfer;
+  StampObserver* observer = nullptr;
 
   BrushDefinition brush;
   Tip tip;
@@ -156,6 +158,11 @@ void Simulation::stamp(int touch_id, const Stamp& stamp) {
 void Simulation::end_stroke(int touch_id) {
   const auto touch = impl_->touches.find(touch_id);
   if (touch != impl_->touches.end()) touch->second.down = false;
+}
+
+void Simulation::set_stamp_observer(StampObserver* observer) {
+  impl_->observer = observer;
+  impl_->transfer->set_observer(observer);
 }
 
 void Simulation::set_gravity(Vec3f gravity_m_s2) {

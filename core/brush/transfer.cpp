@@ -3,15 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/layers/lay_paint.h"
-#include "core/layers/lift.h"
-#include "core/layers/mix_layers.h"
 #include "core/math/approx.h"
 
 namespace pentimento {
 
 namespace {
-constexpr float kFaintest = 1e-3f;           // of the tip's value: below it the tip does not touch
 constexpr float kSmallestCells = 1.5f;       // diameter of the smallest tip a grid can show
 constexpr float kRefillDiameters = 0.1f;     // R22: distance that the refill share is of
 constexpr float kDryingPerDiameter = 5e-3f;  // R24, A21
@@ -26,31 +22,6 @@ float share_over(float frac, double lengths) {
   return static_cast<float>(1 - approx::pow(kept, lengths));
 }
 }  // namespace
-
-/// What is the same for all cells of a stamp.
-struct Transfer::Plan {
-  const Stamp* stamp = nullptr;
-  const Tip* tip = nullptr;
-  const TipLevel* level = nullptr;
-  const PaintLoad* load = nullptr;
-  const Reservoir* reservoir = nullptr;
-  TipPose pose;
-  TipExtent extent;
-  CellBox box;
-  int stride = 4;
-  float mean = 1;  // of the tip
-  float dry_m = 0;
-  std::uint32_t stroke_id = 0;
-  Lift lift;
-  MixLayers mix;
-  LayPaint lay;
-  float film_rate = 0;    // share of the reservoir's height laid where the tip's value is 1
-  float return_frac = 0;  // share of the surplus that goes back where the tip touches fully
-  float level_per_m = 0;  // contact levelling: deposit changes by this per metre above the mean
-  double mean_height_m = 0;
-  float share_scale = 1;  // keeps the total that levelling redistributes
-  float push_m = 0;
-};
 
 PaintLoad make_load(const Model& model, const BrushSettings& settings,
                     std::span<const float> per_amount, std::span<const float> amount) {
@@ -78,7 +49,7 @@ Transfer::Transfer(CanvasState& state, BrushContact& contact, PaintAccount& acco
 void Transfer::apply(const Stamp& stamp, const BrushInHand& hand, const Model& model,
                      Reservoir& reservoir) {
   if (!(hand.tip.mean() > 0) || !(stamp.travel_m >= 0)) return;
-  Plan plan;
+  StampPlan plan;
   place(stamp, hand, reservoir, plan);
   if (plan.box.empty()) return;
   set_rates(stamp, hand, model, reservoir, plan);
@@ -90,21 +61,23 @@ void Transfer::apply(const Stamp& stamp, const BrushInHand& hand, const Model& m
   for_rows(plan, &Transfer::lift_rows);
   take_up(plan, hand, reservoir);
   if (!find_share_scale(plan)) return;
+  if (observer_ != nullptr) observer_->lay(plan, state_);
   for_rows(plan, &Transfer::lay_rows);
   settle(plan, hand, reservoir);
 }
 
+float Transfer::cell_m() const {
+  return std::sqrt(state_.geometry.dx_m() * state_.geometry.dy_m());
+}
+
 /// Where the stamp lies and what it is made of.
 void Transfer::place(const Stamp& stamp, const BrushInHand& hand, const Reservoir& reservoir,
-                     Plan& plan) const {
-  const CanvasGeometry& geometry = state_.geometry;
-  const float cell_m = std::sqrt(geometry.dx_m() * geometry.dy_m());
-  plan.pose = pose_of(stamp, hand.brush, kSmallestCells * cell_m);
+                     StampPlan& plan) const {
+  plan.pose = pose_of(stamp, hand.brush, kSmallestCells * cell_m());
   plan.extent = hand.tip.extent();
-  plan.box = box_of(plan.pose, plan.extent, geometry);
-  plan.stamp = &stamp;
+  plan.box = box_of(plan.pose, plan.extent, state_.geometry);
+  plan.stamp = stamp;
   plan.tip = &hand.tip;
-  plan.level = &hand.tip.level_for(cell_m / plan.pose.diameter_m);
   plan.load = &hand.load;
   plan.reservoir = &reservoir;
   plan.stride = reservoir.stride();
@@ -114,7 +87,7 @@ void Transfer::place(const Stamp& stamp, const BrushInHand& hand, const Reservoi
 
 /// How much the stamp lifts, lays, mixes and pushes, from sliders, pressure and distance.
 void Transfer::set_rates(const Stamp& stamp, const BrushInHand& hand, const Model& model,
-                         const Reservoir& reservoir, Plan& plan) const {
+                         const Reservoir& reservoir, StampPlan& plan) const {
   const BrushSettings& settings = hand.settings;
   const float pressure = stamp.pressure < 0 ? 1.0f : std::min(stamp.pressure, 1.0f);
   const double diameters =
@@ -141,7 +114,7 @@ void Transfer::set_rates(const Stamp& stamp, const BrushInHand& hand, const Mode
 
 /// Levelling only redistributes. Whole on the canvas, the tip lays its exact total; cut by the
 /// border, what its cells say. False if nothing can be laid.
-bool Transfer::find_share_scale(Plan& plan) const {
+bool Transfer::find_share_scale(StampPlan& plan) const {
   double value = 0, share = 0;
   for (int y = 0; y < plan.box.height; ++y) {
     value += row_[static_cast<std::size_t>(y)].value;
@@ -171,7 +144,7 @@ void Transfer::prepare(const CellBox& box, int stride) {
   contact_.touch_rows(box.y, box.y + box.height);
 }
 
-void Transfer::for_rows(const Plan& plan, void (Transfer::*pass)(const Plan&, int, int)) {
+void Transfer::for_rows(const StampPlan& plan, void (Transfer::*pass)(const StampPlan&, int, int)) {
   const int rows = plan.box.height;
   if (plan.box.width * rows < kCellsWorthThreads || threads_.count() == 1) {
     (this->*pass)(plan, 0, rows);
@@ -179,8 +152,8 @@ void Transfer::for_rows(const Plan& plan, void (Transfer::*pass)(const Plan&, in
   }
   struct Job {
     Transfer* transfer;
-    const Plan* plan;
-    void (Transfer::*pass)(const Plan&, int, int);
+    const StampPlan* plan;
+    void (Transfer::*pass)(const StampPlan&, int, int);
   } job{this, &plan, pass};
   // One reference is captured, so that the function object needs no memory of its own.
   threads_.for_ranges(0, rows, kRowsPerTask, [&job](int begin, int end) {
@@ -189,7 +162,8 @@ void Transfer::for_rows(const Plan& plan, void (Transfer::*pass)(const Plan&, in
 }
 
 /// The tip's value per cell, and what the canvas is like under it.
-void Transfer::measure_rows(const Plan& plan, int begin, int end) {
+void Transfer::measure_rows(const StampPlan& plan, int begin, int end) {
+  const TipLevel& level = stamp_tip_level(plan, cell_m());
   for (int y = begin; y < end; ++y) {
     const int canvas_y = plan.box.y + y;
     const TipRow tip = tip_row(plan.pose, plan.box, state_.geometry, canvas_y);
@@ -199,11 +173,9 @@ void Transfer::measure_rows(const Plan& plan, int begin, int end) {
     const std::uint32_t* stroke = state_.stroke.row(canvas_y) + plan.box.x;
     RowSums sums;
     for (int x = 0; x < plan.box.width; ++x) {
-      float s = plan.level->at(tip.u(x), tip.v(x));
-      if (s < kFaintest) s = 0;
+      const float s = stamp_value(level, tip.u(x), tip.v(x));
       weight_[at + static_cast<std::size_t>(x)] = s;
-      touch_[at + static_cast<std::size_t>(x)] =
-          std::min(1.0f, s / plan.mean) * plan.tip->grip(tip.v(x));
+      touch_[at + static_cast<std::size_t>(x)] = stamp_touch(plan, s, tip.v(x));
       const double value = static_cast<double>(s);
       sums.value += value;
       sums.value_height += value * static_cast<double>(base[x] + depth[x]);
@@ -216,7 +188,7 @@ void Transfer::measure_rows(const Plan& plan, int begin, int end) {
   }
 }
 
-void Transfer::find_mean_height(Plan& plan) const {
+void Transfer::find_mean_height(StampPlan& plan) const {
   double value = 0, height = 0;
   for (int y = 0; y < plan.box.height; ++y) {
     value += row_[static_cast<std::size_t>(y)].value;
@@ -226,9 +198,8 @@ void Transfer::find_mean_height(Plan& plan) const {
 }
 
 /// Contact levelling (A22): less on bumps, more in hollows; and the lift.
-void Transfer::lift_rows(const Plan& plan, int begin, int end) {
+void Transfer::lift_rows(const StampPlan& plan, int begin, int end) {
   const std::size_t width = static_cast<std::size_t>(plan.box.width);
-  const float mean_height = static_cast<float>(plan.mean_height_m);
   for (int y = begin; y < end; ++y) {
     const int canvas_y = plan.box.y + y;
     const std::size_t at = static_cast<std::size_t>(y) * width;
@@ -236,8 +207,7 @@ void Transfer::lift_rows(const Plan& plan, int begin, int end) {
     float* depth = state_.depth_m.row(canvas_y) + plan.box.x;
     double share = 0;
     for (std::size_t x = 0; x < width; ++x) {
-      const float above = base[x] + depth[x] - mean_height;
-      share_[at + x] = weight_[at + x] * std::clamp(1 - plan.level_per_m * above, 0.0f, 2.0f);
+      share_[at + x] = stamp_levelled(plan, weight_[at + x], base[x] + depth[x]);
       share += static_cast<double>(share_[at + x]);
     }
     row_[static_cast<std::size_t>(y)].share = share;
@@ -248,22 +218,21 @@ void Transfer::lift_rows(const Plan& plan, int begin, int end) {
 }
 
 /// The lifted paint arrives in the brush, and the palette's paint with it (R22).
-void Transfer::take_up(const Plan& plan, const BrushInHand& hand, Reservoir& reservoir) {
+void Transfer::take_up(const StampPlan& plan, const BrushInHand& hand, Reservoir& reservoir) {
   add_to(plan, account_.picked_up);
   const bool lifted =
       std::any_of(paint_sum_.begin(), paint_sum_.end(), [](double sum) { return sum > 0; });
   if (lifted)
     gather_lifted({paint_, plan.stride}, plan.pose, plan.box, state_.geometry, hand.tip, reservoir,
                   gathered_);
-  const double distances = static_cast<double>(plan.stamp->travel_m) /
+  const double distances = static_cast<double>(plan.stamp.travel_m) /
                            static_cast<double>(kRefillDiameters * plan.pose.diameter_m);
   reservoir.refill(hand.load, hand.tip, share_over(hand.settings.refill, distances));
 }
 
 /// Lays the film and the surplus, mixes the layers, marks the contact.
-void Transfer::lay_rows(const Plan& plan, int begin, int end) {
+void Transfer::lay_rows(const StampPlan& plan, int begin, int end) {
   const std::size_t width = static_cast<std::size_t>(plan.box.width);
-  const PaintLoad& load = *plan.load;
   for (int y = begin; y < end; ++y) {
     const int canvas_y = plan.box.y + y;
     const TipRow tip = tip_row(plan.pose, plan.box, state_.geometry, canvas_y);
@@ -277,13 +246,9 @@ void Transfer::lay_rows(const Plan& plan, int begin, int end) {
         continue;
       }
       plan.reservoir->sample(tip.u(static_cast<int>(x)), tip.v(static_cast<int>(x)), paint);
-      const float content = load.content_of(paint);
-      const float surplus = std::max(0.0f, content - load.content_m);
-      const float back = plan.return_frac * share * surplus / std::max(weight_[at + x], plan.mean);
-      const float film = plan.film_rate * share * std::min(content, load.content_m);
-      const float part = content > 0 ? (film + back) / content : 0.0f;
-      for (int k = 0; k < plan.stride; ++k) paint[k] *= part;
-      returned += static_cast<double>(back);
+      const LaidContent laid = stamp_laid(plan, paint, weight_[at + x], share);
+      for (int k = 0; k < plan.stride; ++k) paint[k] *= laid.part;
+      returned += static_cast<double>(laid.returned);
     }
     row_[static_cast<std::size_t>(y)].returned = returned;
     const LayerRow row = planes_.row(plan.box.x, canvas_y);
@@ -297,7 +262,7 @@ void Transfer::lay_rows(const Plan& plan, int begin, int end) {
 }
 
 /// Keeps the books, takes the surplus that was laid out of the brush, and dries the brush (R24).
-void Transfer::settle(const Plan& plan, const BrushInHand& hand, Reservoir& reservoir) {
+void Transfer::settle(const StampPlan& plan, const BrushInHand& hand, Reservoir& reservoir) {
   add_to(plan, account_.deposited);
   double returned = 0, ahead = 0, ahead_dry = 0;
   for (int y = 0; y < plan.box.height; ++y) {
@@ -319,11 +284,11 @@ void Transfer::settle(const Plan& plan, const BrushInHand& hand, Reservoir& rese
   if (ahead > 0) reservoir.dry_ahead_frac = static_cast<float>(ahead_dry / ahead);
   reservoir.density_frac =
       std::max(0.0f, reservoir.density_frac - kDryingPerDiameter * reservoir.dry_ahead_frac *
-                                                  plan.stamp->travel_m / plan.pose.diameter_m);
+                                                  plan.stamp.travel_m / plan.pose.diameter_m);
 }
 
 /// The rows' sums in their order, into `paint_sum_` and, as volumes, into a flow.
-void Transfer::add_to(const Plan& plan, PaintFlow& flow) {
+void Transfer::add_to(const StampPlan& plan, PaintFlow& flow) {
   std::fill(paint_sum_.begin(), paint_sum_.end(), 0.0);
   for (int y = 0; y < plan.box.height; ++y)
     for (std::size_t k = 0; k < parts_; ++k)
@@ -333,12 +298,10 @@ void Transfer::add_to(const Plan& plan, PaintFlow& flow) {
   for (std::size_t c = 0; c + 1 < parts_; ++c) flow.channel[c] += paint_sum_[1 + c] * area;
 }
 
-/// Footprint, velocity (R17) and push of one row. The push fades from 1.5 in the middle of the tip
-/// to 0 at its edge: e = 1.5 (1 - r^2)^2.
-void Transfer::touch_row(const Plan& plan, int y, std::span<const float> weight) {
+/// Footprint, velocity (R17) and push of one row.
+void Transfer::touch_row(const StampPlan& plan, int y, std::span<const float> weight) {
   const TipRow tip = tip_row(plan.pose, plan.box, state_.geometry, y);
-  const Stamp& stamp = *plan.stamp;
-  const float scale_u = 2 / plan.extent.u, scale_v = 2 / plan.extent.v;
+  const Stamp& stamp = plan.stamp;
   for (std::size_t i = 0; i < weight.size(); ++i) {
     const int x = plan.box.x + static_cast<int>(i);
     if (weight[i] > 0) {
@@ -346,10 +309,8 @@ void Transfer::touch_row(const Plan& plan, int y, std::span<const float> weight)
       contact_.velocity_x_m_s(x, y) = stamp.velocity_m_s.x;
       contact_.velocity_y_m_s(x, y) = stamp.velocity_m_s.y;
     }
-    const float u = tip.u(static_cast<int>(i)) * scale_u, v = tip.v(static_cast<int>(i)) * scale_v;
-    const float inside = 1 - (u * u + v * v);
-    if (inside > 0) {
-      const float push = 1.5f * inside * inside * plan.push_m;
+    const float push = stamp_push_m(plan, tip.u(static_cast<int>(i)), tip.v(static_cast<int>(i)));
+    if (push > 0) {
       contact_.push_x_m(x, y) += push * stamp.direction.x;
       contact_.push_y_m(x, y) += push * stamp.direction.y;
     }

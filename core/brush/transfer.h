@@ -13,6 +13,8 @@
 #include "core/brush/gather.h"
 #include "core/brush/reservoir.h"
 #include "core/brush/stamp.h"
+#include "core/brush/stamp_observer.h"
+#include "core/brush/stamp_plan.h"
 #include "core/brush/tip.h"
 #include "core/canvas_state.h"
 #include "core/fluid/brush_contact.h"
@@ -46,10 +48,12 @@ class Transfer {
   Transfer(CanvasState& state, BrushContact& contact, PaintAccount& account,
            std::span<const float> amount, const Threads& threads);
 
+  /// Told of every stamp from now on; nullptr: nobody. Outlives the transfer.
+  void set_observer(StampObserver* observer) { observer_ = observer; }
+
   void apply(const Stamp& stamp, const BrushInHand& hand, const Model& model, Reservoir& reservoir);
 
  private:
-  struct Plan;
   struct RowSums {
     double value = 0;         // of the tip
     double value_height = 0;  // times h
@@ -59,21 +63,22 @@ class Transfer {
     double returned = 0;      // content of the surplus that was laid
   };
 
-  void measure_rows(const Plan& plan, int begin, int end);
-  void lift_rows(const Plan& plan, int begin, int end);
-  void lay_rows(const Plan& plan, int begin, int end);
-  void for_rows(const Plan& plan, void (Transfer::*pass)(const Plan&, int, int));
+  float cell_m() const;
+  void measure_rows(const StampPlan& plan, int begin, int end);
+  void lift_rows(const StampPlan& plan, int begin, int end);
+  void lay_rows(const StampPlan& plan, int begin, int end);
+  void for_rows(const StampPlan& plan, void (Transfer::*pass)(const StampPlan&, int, int));
   void prepare(const CellBox& box, int stride);
-  void find_mean_height(Plan& plan) const;
+  void find_mean_height(StampPlan& plan) const;
   void place(const Stamp& stamp, const BrushInHand& hand, const Reservoir& reservoir,
-             Plan& plan) const;
+             StampPlan& plan) const;
   void set_rates(const Stamp& stamp, const BrushInHand& hand, const Model& model,
-                 const Reservoir& reservoir, Plan& plan) const;
-  bool find_share_scale(Plan& plan) const;
-  void take_up(const Plan& plan, const BrushInHand& hand, Reservoir& reservoir);
-  void settle(const Plan& plan, const BrushInHand& hand, Reservoir& reservoir);
-  void add_to(const Plan& plan, PaintFlow& flow);
-  void touch_row(const Plan& plan, int y, std::span<const float> weight);
+                 const Reservoir& reservoir, StampPlan& plan) const;
+  bool find_share_scale(StampPlan& plan) const;
+  void take_up(const StampPlan& plan, const BrushInHand& hand, Reservoir& reservoir);
+  void settle(const StampPlan& plan, const BrushInHand& hand, Reservoir& reservoir);
+  void add_to(const StampPlan& plan, PaintFlow& flow);
+  void touch_row(const StampPlan& plan, int y, std::span<const float> weight);
 
   CanvasState& state_;
   BrushContact& contact_;
@@ -81,6 +86,7 @@ class Transfer {
   LayerPlanes planes_;
   std::size_t parts_;  // height and channels
   const Threads& threads_;
+  StampObserver* observer_ = nullptr;
 
   // Scratch of one stamp, over its box.
   std::vector<float> weight_;  // value of the tip per cell

@@ -1,0 +1,17 @@
+#pragma once
+// Whoever does each stamp again on a canvas of its own.
+
+#include "core/brush/stamp_plan.h"
+#include "core/canvas_state.h"
+
+namespace pentimento {
+
+class StampObserver {
+ public:
+  virtual ~StampObserver() = default;
+  /// Once per stamp that lays paint, just before it does: the paint has been lifted from `canvas`,
+  /// whose layers and stroke ids are still those before; `plan.reservoir` is what will be sampled.
+  virtual void lay(const StampPlan& plan, const CanvasState& canvas) = 0;
+};
+
+}  // namespace pentimento

@@ -1,0 +1,92 @@
+#pragma once
+// One stamp, decided: all that is the same for every cell of it, and what happens in a cell as pure
+// functions of it. Nothing here depends on the size of a cell, so a second canvas of finer cells
+// does the same stamp with the same code: it asks for the tip at its own resolution
+// (stamp_tip_level) and computes boxes and rows from the pose with its own geometry.
+
+#include <algorithm>
+#include <cstdint>
+
+#include "core/brush/footprint.h"
+#include "core/brush/reservoir.h"
+#include "core/brush/stamp.h"
+#include "core/brush/tip.h"
+#include "core/canvas_state.h"
+#include "core/layers/lay_paint.h"
+#include "core/layers/lift.h"
+#include "core/layers/mix_layers.h"
+
+namespace pentimento {
+
+/// Plain values and references, valid while the stamp is done.
+struct StampPlan {
+  Stamp stamp;
+  const Tip* tip = nullptr;
+  const PaintLoad* load = nullptr;
+  const Reservoir* reservoir = nullptr;
+  TipPose pose;
+  TipExtent extent;
+  CellBox box;     // of the canvas that the stamp was planned on
+  int stride = 4;  // floats of paint per cell: height, channels, padding
+  float mean = 1;  // of the tip, > 0
+  float dry_m = 0;
+  std::uint32_t stroke_id = 0;
+  Lift lift;
+  MixLayers mix;
+  LayPaint lay;
+  float film_rate = 0;    // share of the reservoir's height laid where the tip's value is 1
+  float return_frac = 0;  // share of the surplus that goes back where the tip touches fully
+  float level_per_m = 0;  // contact levelling: deposit changes by this per metre above the mean
+  double mean_height_m = 0;
+  float share_scale = 1;  // keeps the total that levelling redistributes
+  float push_m = 0;
+};
+
+/// The tip as cells of `cell_m` (the root of their area) see it.
+inline const TipLevel& stamp_tip_level(const StampPlan& plan, float cell_m) {
+  return plan.tip->level_for(cell_m / plan.pose.diameter_m);
+}
+
+/// Value of the tip at (u, v), in [0,1]; 0 where it is too faint to touch.
+inline float stamp_value(const TipLevel& level, float u, float v) {
+  constexpr float kFaintest = 1e-3f;
+  const float s = level.at(u, v);
+  return s < kFaintest ? 0 : s;
+}
+
+/// How hard the hairs hold the paint at v where the tip's value is `value`, in [0,2].
+inline float stamp_touch(const StampPlan& plan, float value, float v) {
+  return std::min(1.0f, value / plan.mean) * plan.tip->grip(v);
+}
+
+/// Contact levelling (A22): the value where the canvas is `height_m` high, less on bumps and more
+/// in hollows, before `share_scale`.
+inline float stamp_levelled(const StampPlan& plan, float value, float height_m) {
+  const float above = height_m - static_cast<float>(plan.mean_height_m);
+  return value * std::clamp(1 - plan.level_per_m * above, 0.0f, 2.0f);
+}
+
+/// Content laid at a cell, of the paint that the reservoir holds over it.
+struct LaidContent {
+  float part = 0;      // of the sampled paint
+  float returned = 0;  // of the surplus
+};
+/// The film of the palette's paint and the share of what the brush holds beyond its load. `paint`:
+/// the reservoir's sample at the cell; `value`: the tip's; `share`: levelled and scaled, > 0.
+inline LaidContent stamp_laid(const StampPlan& plan, const float* paint, float value, float share) {
+  const float content = plan.load->content_of(paint);
+  const float surplus = std::max(0.0f, content - plan.load->content_m);
+  const float back = plan.return_frac * share * surplus / std::max(value, plan.mean);
+  const float film = plan.film_rate * share * std::min(content, plan.load->content_m);
+  return {content > 0 ? (film + back) / content : 0.0f, back};
+}
+
+/// Push at (u, v), in metres along the stroke's direction: alpha ds e(r), which fades from 1.5 in
+/// the middle of the tip to 0 at its edge, e = 1.5 (1 - r^2)^2.
+inline float stamp_push_m(const StampPlan& plan, float u, float v) {
+  const float x = u * (2 / plan.extent.u), y = v * (2 / plan.extent.v);
+  const float inside = 1 - (x * x + y * y);
+  return inside > 0 ? 1.5f * inside * inside * plan.push_m : 0.0f;
+}
+
+}  // namespace pentimento

@@ -1,0 +1,127 @@
+#include "core/brush/stamp_plan.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+
+#include "core/optics/pigment_library.h"
+#include "core/simulation.h"
+
+namespace pentimento {
+namespace {
+
+SimulationSetup setup_of_one_pigment() {
+  SimulationSetup setup;
+  setup.geometry = {96, 72, 0.2, 0.15};
+  setup.basis = palette_channels({*find_library_pigment("Vermilion")});
+  return setup;
+}
+
+Stamp stamp_at(double x_m, double y_m) {
+  Stamp stamp;
+  stamp.x_m = x_m;
+  stamp.y_m = y_m;
+  stamp.diameter_m = 0.04f;
+  stamp.pressure = 0.8f;
+  stamp.direction = stamp.heading = {0.6f, 0.8f};
+  stamp.travel_m = 0.002f;
+  return stamp;
+}
+
+/// Lays each stamp's height on a canvas of its own, `finer` times finer, with nothing but the plan.
+/// For stamps on a dry canvas, where what was lifted does not change the heights levelled to.
+class SecondCanvas : public StampObserver {
+ public:
+  explicit SecondCanvas(int finer) : finer_(finer) {}
+
+  void lay(const StampPlan& plan, const CanvasState& canvas) override {
+    ++stamps;
+    geometry_ = canvas.geometry;
+    geometry_.width *= finer_;
+    geometry_.height *= finer_;
+    after = Field<float>(geometry_.width, geometry_.height);
+    for (int y = 0; y < geometry_.height; ++y)
+      for (int x = 0; x < geometry_.width; ++x)
+        after(x, y) = canvas.depth_m(x / finer_, y / finer_);
+    const CellBox box = box_of(plan.pose, plan.extent, geometry_);
+    std::vector<float> paint(static_cast<std::size_t>(plan.stride));
+    const TipLevel& level = stamp_tip_level(plan, std::sqrt(geometry_.dx_m() * geometry_.dy_m()));
+    for (int j = 0; j < box.height; ++j) {
+      const int y = box.y + j;
+      const TipRow tip = tip_row(plan.pose, box, geometry_, y);
+      for (int i = 0; i < box.width; ++i) {
+        const int x = box.x + i;
+        const float value = stamp_value(level, tip.u(i), tip.v(i));
+        const float height_m =
+            canvas.base_m(x / finer_, y / finer_) + canvas.depth_m(x / finer_, y / finer_);
+        const float share = stamp_levelled(plan, value, height_m) * plan.share_scale;
+        if (!(share > 0)) continue;
+        plan.reservoir->sample(tip.u(i), tip.v(i), paint.data());
+        after(x, y) += stamp_laid(plan, paint.data(), value, share).part * paint[0];
+      }
+    }
+  }
+
+  double volume_m3() const {
+    double sum = 0;
+    for (int y = 0; y < after.height(); ++y)
+      for (int x = 0; x < after.width(); ++x) sum += static_cast<double>(after(x, y));
+    return sum * geometry_.cell_area_m2();
+  }
+
+  int stamps = 0;
+  Field<float> after;  // depth once the stamp is laid
+
+ private:
+  int finer_;
+  CanvasGeometry geometry_;
+};
+
+struct Hand {
+  Threads threads{1};
+  Simulation sim{setup_of_one_pigment(), threads};
+  explicit Hand(StampObserver& observer) {
+    sim.set_color(0);
+    sim.set_stamp_observer(&observer);
+    sim.begin_stroke(0, 1);
+  }
+};
+
+TEST(StampPlan, LaysTheSameBitsOnASecondCanvas) {
+  SecondCanvas second(1);
+  Hand hand(second);
+  hand.sim.stamp(0, stamp_at(0.1, 0.07));
+  ASSERT_EQ(second.stamps, 1);
+  for (int y = 0; y < second.after.height(); ++y)
+    ASSERT_EQ(std::memcmp(second.after.row(y), hand.sim.state().depth_m.row(y),
+                          static_cast<std::size_t>(second.after.width()) * sizeof(float)),
+              0)
+        << "row " << y;
+}
+
+TEST(StampPlan, LaysAsMuchOnAFinerCanvas) {
+  SecondCanvas second(4);
+  Hand hand(second);
+  hand.sim.stamp(0, stamp_at(0.1, 0.07));
+  // Each grid samples the tip at its cells' centres, 19 of the coarse ones to a diameter: the
+  // whole tip's mean is met to a part in a thousand.
+  EXPECT_NEAR(second.volume_m3() / hand.sim.wet().medium_m3, 1, 2e-3);
+}
+
+TEST(StampObserver, IsToldOfEachStampAlsoAfterClearing) {
+  SecondCanvas second(1);
+  Hand hand(second);
+  hand.sim.stamp(0, stamp_at(0.1, 0.07));
+  hand.sim.clear();
+  hand.sim.stamp(0, stamp_at(0.1, 0.07));
+  EXPECT_EQ(second.stamps, 2);
+  hand.sim.stamp(0, stamp_at(-1, 0.07));  // off the canvas: nothing is laid
+  EXPECT_EQ(second.stamps, 2);
+  hand.sim.set_stamp_observer(nullptr);
+  hand.sim.stamp(0, stamp_at(0.1, 0.07));
+  EXPECT_EQ(second.stamps, 2);
+}
+
+}  // namespace
+}  // namespace pentimento
