@@ -9,6 +9,7 @@
 
 #include "core/canvas_state.h"
 #include "core/fluid/brush_contact.h"
+#include "core/fluid/paint_edges.h"
 #include "core/model.h"
 #include "core/threads.h"
 #include "core/vec.h"
@@ -22,6 +23,7 @@ struct StepInput {
   const BrushContact& contact;
   const std::vector<float>& amount;  // per channel: share in the total pigment amount (m of A26)
   const Threads& threads;
+  PaintFollower* follower = nullptr;  // is told how paint moves; may be none
 };
 // gravity_m_s2 is what an accelerometer reads (specific force), so paint accelerates AGAINST it:
 // u_t = -g_x. Held upright it reads (0,+9.81,0) with y up, (0,-9.81,0) in core's frame, and paint

@@ -85,6 +85,7 @@ class PaintMover {
     if (limit_crowding(lines, value, plan_.edge.data()))
       for (std::size_t e = 0; e < plan_.edge.size(); ++e)
         flow_[e] = plan_.edge[e] - 0.5f * push_[e];  // the layers give way with it
+    record(b, 0);
     plan_remap(plan_);
     remap_block(plan_, depth_, scratch_);
     store_block(b, value, state_.depth_m);
@@ -96,6 +97,7 @@ class PaintMover {
     layer_speed_row({layer, in_.model.layer_speed}, occupied_.data(), occupied_.data() + s,
                     flow_.data() + s, push_.data() + s, static_cast<int>(inner),
                     plan_.edge.data() + s);
+    record(b, 1 + layer);
     plan_remap(plan_);
     float* value = scratch_.cells(scratch_.value, plan_.step);
     for (int c = 0; c < state_.channels; ++c) {
@@ -116,6 +118,16 @@ class PaintMover {
       held_[i] = value[i] - free;
       value[i] = free;
     }
+  }
+
+  // Tells the follower where the edges go: of the depth (0) or of layer `quantity` - 1.
+  void record(const Block& b, int quantity) {
+    if (in_.follower == nullptr) return;
+    PaintEdges& edges = in_.follower->edges();
+    Field<float>& plane = (axis_ == Axis::kX ? edges.x : edges.y)[at(quantity)];
+    for_inner_edges(b, [&](int first, int n, int x, int y) {
+      std::copy_n(plan_.edge.data() + first, n, plane.row(y) + x);
+    });
   }
 
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }

@@ -1,0 +1,46 @@
+#pragma once
+// The tiles of the detail canvas, made where paint comes. Who changes them is decided by the other
+// files of this folder.
+
+#include <memory>
+#include <vector>
+
+#include "core/detail/detail_layout.h"
+#include "core/detail/detail_tile.h"
+
+namespace pentimento {
+
+class DetailCanvas {
+ public:
+  DetailCanvas(const DetailLayout& layout, int layers, int channels, int bands)
+      : layout_(layout), layers_(layers), channels_(channels), bands_(bands) {
+    tile_.resize(static_cast<std::size_t>(layout.tiles()));
+  }
+
+  const DetailLayout& layout() const { return layout_; }
+  int layers() const { return layers_; }
+  int channels() const { return channels_; }
+  int bands() const { return bands_; }
+  /// nullptr where there never was paint.
+  DetailTile* find(int tile) { return tile_[static_cast<std::size_t>(tile)].get(); }
+  const DetailTile* find(int tile) const { return tile_[static_cast<std::size_t>(tile)].get(); }
+  /// Makes the tile if it does not exist.
+  DetailTile& at(int tile);
+  /// Back to bare paper.
+  void clear();
+
+  /// The tile has a plane for everything that the guide has in it.
+  void cover(int tile, const CanvasState& guide);
+  /// Frees planes of the tile in which the guide has nothing.
+  void prune(int tile, const CanvasState& guide);
+
+ private:
+  DetailLayout layout_;
+  int layers_, channels_, bands_;
+  std::vector<std::unique_ptr<DetailTile>> tile_;
+};
+
+/// Whether the guide has any of the quantity in the box.
+bool any_in(const Field<float>& plane, const GuideBox& box);
+
+}  // namespace pentimento

@@ -1,0 +1,54 @@
+#pragma once
+// One tile of the detail canvas. A plane exists only while it is needed: depth and pigments while
+// something is wet, base and reflectance once something has dried.
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/detail/detail_layout.h"
+
+namespace pentimento {
+
+/// side x side floats, row by row; may be absent, which means zero (or, for what lies under the
+/// paint, the fresh paper).
+class TilePlane {
+ public:
+  explicit operator bool() const { return data_ != nullptr; }
+  float* data() { return data_.get(); }
+  const float* data() const { return data_.get(); }
+  /// Zero everywhere.
+  void allocate(int side) {
+    const std::size_t cells = static_cast<std::size_t>(side) * static_cast<std::size_t>(side);
+    data_ = std::make_unique<float[]>(cells);
+  }
+  void free() { data_.reset(); }
+
+ private:
+  std::unique_ptr<float[]> data_;
+};
+
+struct DetailTile {
+  DetailTile(int index, const GuideBox& covers, int planes) : tile(index), box(covers) {
+    pigment.resize(static_cast<std::size_t>(planes));
+  }
+  int tile;       // index in the layout
+  GuideBox box;   // of the guide
+  TilePlane depth_m;
+  std::vector<TilePlane> pigment;      // [layer * channels + channel]
+  TilePlane base_m;                    // paper and dried paint; absent: paper alone
+  std::vector<TilePlane> reflectance;  // of the dry layer, per band; absent: fresh ground
+};
+
+/// A quantity that the lock and the transport work on: the depth, or a pigment plane.
+struct WetPlane {
+  int pigment = -1;  // [layer * channels + channel]; -1 is the depth
+  TilePlane& of(DetailTile& tile) const {
+    return pigment < 0 ? tile.depth_m : tile.pigment[static_cast<std::size_t>(pigment)];
+  }
+  const Field<float>& of(const CanvasState& guide) const {
+    return pigment < 0 ? guide.depth_m : guide.pigment[static_cast<std::size_t>(pigment)];
+  }
+};
+
+}  // namespace pentimento

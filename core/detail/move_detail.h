@@ -1,0 +1,27 @@
+#pragma once
+// The paint of the detail canvas goes where the guide's paint went.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/detail/detail_canvas.h"
+#include "core/detail/tile_line.h"
+#include "core/fluid/paint_edges.h"
+#include "core/threads.h"
+
+namespace pentimento {
+
+struct MoveDetail {
+  float residue = 0;                // of layer 0 stays on the paper (R19)
+  std::span<const float> amount;    // per channel: its share in the total amount (A26)
+};
+
+/// Moves depth and every channel of every layer along one axis, line by line of fine cells, with
+/// the guide's edges interpolated between its rows (across) and its edges (along), in the tiles
+/// that are flagged: what comes into others is lost, so flag the neighbours of what moves.
+void move_detail(DetailCanvas& canvas, const PaintEdges& edges, LineAxis axis,
+                 const std::vector<std::uint8_t>& moving, const MoveDetail& move,
+                 const Threads& threads);
+
+}  // namespace pentimento

@@ -1,0 +1,38 @@
+#pragma once
+// How far a step carried paint over each face of the grid: what a scheme tells whoever moves the
+// same paint on a finer canvas. A record: it changes nothing of the step.
+
+#include <vector>
+
+#include "core/canvas_state.h"
+#include "core/fluid/conservative/runs.h"
+
+namespace pentimento {
+
+struct PaintEdges {
+  PaintEdges() = default;
+  PaintEdges(const CanvasGeometry& geometry, int layers) {
+    for (int i = 0; i <= layers; ++i) {
+      x.emplace_back(geometry.width, geometry.height);
+      y.emplace_back(geometry.width, geometry.height);
+    }
+  }
+  // In cells, of the right (x) and the lower (y) face of each cell: of the depth, then of each
+  // layer. 0 where nothing was moved.
+  std::vector<Field<float>> x;
+  std::vector<Field<float>> y;
+  bool x_first = true;
+};
+
+/// Follows the motion of paint, part of a step by part of a step.
+class PaintFollower {
+ public:
+  virtual ~PaintFollower() = default;
+  /// Where the scheme writes its edges; all 0 when it begins, and put back to 0 by `moved`.
+  virtual PaintEdges& edges() = 0;
+  /// The scheme has moved the paint of `state` in the cells of `runs`, first along one axis, then
+  /// along the other.
+  virtual void moved(const CanvasState& state, const std::vector<conservative::Run>& runs) = 0;
+};
+
+}  // namespace pentimento
