@@ -69,7 +69,7 @@ struct Simulation::Impl {
     scheme = make_scheme(model.scheme, setup.geometry, state.layers, state.channels);
     contact = make_brush_contact(setup.geometry.width, setup.geometry.height);
     transfer.emplace(state, contact, account, amount, threads);
-    transfer->set_observer(observer);
+    transfer->set_observer(follower);
   }
 
   /// What the sliders and the colour say the brush holds.
@@ -97,7 +97,7 @@ struct Simulation::Impl {
   BrushContact contact;
   std::unique_ptr<FluidScheme> scheme;
   std::optional<Transfer> transfer;
-  StampObserver* observer = nullptr;
+  CanvasFollower* follower = nullptr;
 
   BrushDefinition brush;
   Tip tip;
@@ -160,9 +160,9 @@ void Simulation::end_stroke(int touch_id) {
   if (touch != impl_->touches.end()) touch->second.down = false;
 }
 
-void Simulation::set_stamp_observer(StampObserver* observer) {
-  impl_->observer = observer;
-  impl_->transfer->set_observer(observer);
+void Simulation::set_follower(CanvasFollower* follower) {
+  impl_->follower = follower;
+  impl_->transfer->set_observer(follower);
 }
 
 void Simulation::set_gravity(Vec3f gravity_m_s2) {
@@ -177,12 +177,15 @@ void Simulation::set_model(const Model& model) {
 }
 
 void Simulation::dry() {
+  if (impl_->follower != nullptr)
+    impl_->follower->drying(impl_->state, impl_->setup.basis, impl_->model);
   dry_canvas(impl_->state, impl_->setup.basis, impl_->model, impl_->threads, impl_->account.dried);
   impl_->state.sleep.clear();
 }
 
 void Simulation::clear() {
   impl_->fresh_canvas();
+  if (impl_->follower != nullptr) impl_->follower->cleared();
 }
 
 void Simulation::load(const std::vector<Field<float>>& reflectance) {
@@ -193,6 +196,7 @@ void Simulation::load(const std::vector<Field<float>>& reflectance) {
                      reflectance[band].height() == impl_->setup.geometry.height);
     impl_->state.reflectance[band] = reflectance[band].clone();
   }
+  if (impl_->follower != nullptr) impl_->follower->cleared();
 }
 
 void Simulation::restore(CanvasState state) {
@@ -204,13 +208,16 @@ void Simulation::restore(CanvasState state) {
   impl_->account = empty_account(impl_->state.channels);
   impl_->account.deposited = wet_paint(impl_->state);
   impl_->adopt_state();
+  if (impl_->follower != nullptr) impl_->follower->restored(impl_->state);
 }
 
 bool Simulation::step() {
   Impl& m = *impl_;
   const bool touched = !m.contact.empty();
-  const bool moved = m.scheme->step(
-      m.state, {m.model, m.gravity_m_s2, m.setup.dt_s, m.contact, m.amount, m.threads});
+  const StepInput in{m.model,  m.gravity_m_s2, m.setup.dt_s, m.contact,
+                     m.amount, m.threads,      m.follower};
+  const bool moved = m.scheme->step(m.state, in);
+  if (m.follower != nullptr) m.follower->stepped(m.state, in);
   pentimento::clear(m.contact);
   ++m.state.step;
   return moved || touched;

@@ -12,7 +12,7 @@
 
 #include "core/brush/brush_settings.h"
 #include "core/brush/stamp.h"
-#include "core/brush/stamp_observer.h"
+#include "core/canvas_follower.h"
 #include "core/canvas_state.h"
 #include "core/fluid/scheme.h"
 #include "core/model.h"
@@ -48,9 +48,8 @@ class Simulation {
   void begin_stroke(int touch_id, std::uint32_t stroke_id);
   void stamp(int touch_id, const Stamp& stamp);
   void end_stroke(int touch_id);
-  /// Told of every stamp that lays paint, also after clear(), load() and restore(); nullptr:
-  /// nobody. Outlives the simulation.
-  void set_stamp_observer(StampObserver* observer);
+  /// Told of everything that happens to the canvas; nullptr: nobody. Outlives the simulation.
+  void set_follower(CanvasFollower* follower);
 
   // The tablet and its controls.
   void set_gravity(Vec3f gravity_m_s2);

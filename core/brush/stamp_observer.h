@@ -9,9 +9,11 @@ namespace pentimento {
 class StampObserver {
  public:
   virtual ~StampObserver() = default;
-  /// Once per stamp that lays paint, just before it does: the paint has been lifted from `canvas`,
-  /// whose layers and stroke ids are still those before; `plan.reservoir` is what will be sampled.
+  /// Once per stamp, just before it lays: the paint has been lifted from `canvas`, whose layers and
+  /// stroke ids are still those before; `plan.reservoir` is what will be sampled.
   virtual void lay(const StampPlan& plan, const CanvasState& canvas) = 0;
+  /// The stamp has laid its paint, if it had any; `plan.reservoir` still is what was sampled.
+  virtual void laid(const StampPlan& plan, const CanvasState& canvas) = 0;
 };
 
 }  // namespace pentimento

@@ -60,9 +60,11 @@ void Transfer::apply(const Stamp& stamp, const BrushInHand& hand, const Model& m
   find_mean_height(plan);
   for_rows(plan, &Transfer::lift_rows);
   take_up(plan, hand, reservoir);
-  if (!find_share_scale(plan)) return;
+  const bool lays = find_share_scale(plan);
   if (observer_ != nullptr) observer_->lay(plan, state_);
+  if (!lays) return;
   for_rows(plan, &Transfer::lay_rows);
+  if (observer_ != nullptr) observer_->laid(plan, state_);
   settle(plan, hand, reservoir);
 }
 

@@ -20,7 +20,15 @@ bool any_in(const Field<float>& plane, const GuideBox& box) {
 
 DetailTile& DetailCanvas::at(int tile) {
   std::unique_ptr<DetailTile>& slot = tile_[static_cast<std::size_t>(tile)];
-  if (!slot) slot = std::make_unique<DetailTile>(tile, layout_.box(tile), layers_ * channels_);
+  if (slot) return *slot;
+  slot = std::make_unique<DetailTile>(tile, layout_.box(tile), layers_ * channels_);
+  const int side = layout_.side(), k = layout_.factor();
+  const GuideBox& box = slot->box;
+  slot->base_m.allocate(side);
+  for (int y = 0; y < box.height() * k; ++y)
+    ground_.relief_row(box.x0 * k, box.y0 * k + y,
+                       {slot->base_m.data() + static_cast<std::ptrdiff_t>(y) * side,
+                        static_cast<std::size_t>(box.width() * k)});
   return *slot;
 }
 
@@ -34,6 +42,24 @@ void DetailCanvas::cover(int tile, const CanvasState& guide) {
     if (DetailTile* made = find(tile); made != nullptr && q.of(*made)) return;
     if (any_in(q.of(guide), box)) q.of(at(tile)).allocate(layout_.side());
   });
+}
+
+std::vector<int> DetailCanvas::complete_channels(int tile) {
+  std::vector<int> channels;
+  DetailTile* made = find(tile);
+  if (made == nullptr) return channels;
+  const auto plane = [&](int layer, int c) -> TilePlane& {
+    return made->pigment[static_cast<std::size_t>(layer * channels_ + c)];
+  };
+  for (int c = 0; c < channels_; ++c) {
+    bool any = false;
+    for (int layer = 0; layer < layers_; ++layer) any |= static_cast<bool>(plane(layer, c));
+    if (!any) continue;
+    channels.push_back(c);
+    for (int layer = 0; layer < layers_; ++layer)
+      if (!plane(layer, c)) plane(layer, c).allocate(layout_.side());
+  }
+  return channels;
 }
 
 void DetailCanvas::prune(int tile, const CanvasState& guide) {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/detail/detail_ground.h"
 #include "core/detail/detail_layout.h"
 #include "core/detail/detail_tile.h"
 
@@ -12,30 +13,36 @@ namespace pentimento {
 
 class DetailCanvas {
  public:
-  DetailCanvas(const DetailLayout& layout, int layers, int channels, int bands)
-      : layout_(layout), layers_(layers), channels_(channels), bands_(bands) {
+  /// `ground` outlives the canvas.
+  DetailCanvas(const DetailLayout& layout, int layers, int channels, int bands,
+               const DetailGround& ground)
+      : layout_(layout), ground_(ground), layers_(layers), channels_(channels), bands_(bands) {
     tile_.resize(static_cast<std::size_t>(layout.tiles()));
   }
 
   const DetailLayout& layout() const { return layout_; }
+  const DetailGround& ground() const { return ground_; }
   int layers() const { return layers_; }
   int channels() const { return channels_; }
   int bands() const { return bands_; }
   /// nullptr where there never was paint.
   DetailTile* find(int tile) { return tile_[static_cast<std::size_t>(tile)].get(); }
   const DetailTile* find(int tile) const { return tile_[static_cast<std::size_t>(tile)].get(); }
-  /// Makes the tile if it does not exist.
+  /// Makes the tile, with the relief of the fresh paper, if it does not exist.
   DetailTile& at(int tile);
   /// Back to bare paper.
   void clear();
 
   /// The tile has a plane for everything that the guide has in it.
   void cover(int tile, const CanvasState& guide);
-  /// Frees planes of the tile in which the guide has nothing.
+  /// Channels of which the tile has a plane, ascending; each gets planes for all layers.
+  std::vector<int> complete_channels(int tile);
+  /// Frees wet planes of the tile in which the guide has nothing.
   void prune(int tile, const CanvasState& guide);
 
  private:
   DetailLayout layout_;
+  const DetailGround& ground_;
   int layers_, channels_, bands_;
   std::vector<std::unique_ptr<DetailTile>> tile_;
 };

@@ -1,6 +1,6 @@
 #pragma once
 // One tile of the detail canvas. A plane exists only while it is needed: depth and pigments while
-// something is wet, base and reflectance once something has dried.
+// something is wet, reflectance once something has dried.
 
 #include <cstdint>
 #include <memory>
@@ -10,8 +10,7 @@
 
 namespace pentimento {
 
-/// side x side floats, row by row; may be absent, which means zero (or, for what lies under the
-/// paint, the fresh paper).
+/// side x side floats, row by row; may be absent, which means zero (reflectance: the fresh ground).
 class TilePlane {
  public:
   explicit operator bool() const { return data_ != nullptr; }
@@ -32,11 +31,11 @@ struct DetailTile {
   DetailTile(int index, const GuideBox& covers, int planes) : tile(index), box(covers) {
     pigment.resize(static_cast<std::size_t>(planes));
   }
-  int tile;       // index in the layout
-  GuideBox box;   // of the guide
+  int tile;      // index in the layout
+  GuideBox box;  // of the guide
   TilePlane depth_m;
   std::vector<TilePlane> pigment;      // [layer * channels + channel]
-  TilePlane base_m;                    // paper and dried paint; absent: paper alone
+  TilePlane base_m;                    // paper and dried paint
   std::vector<TilePlane> reflectance;  // of the dry layer, per band; absent: fresh ground
 };
 

@@ -22,8 +22,7 @@ void place_edges(std::span<const float> guide, int factor, std::span<float> posi
     const float low = guide[g] * static_cast<float>(factor);
     const float rise = (guide[g + 1] - guide[g]);  // k D over k cells
     for (std::size_t i = 0; i < k; ++i)
-      position[g * k + i] =
-          static_cast<float>(g * k + i) + (low + rise * static_cast<float>(i));
+      position[g * k + i] = static_cast<float>(g * k + i) + (low + rise * static_cast<float>(i));
   }
   const std::size_t last = blocks * k;
   position[last] = static_cast<float>(last);

@@ -8,9 +8,9 @@ namespace pentimento {
 
 namespace {
 constexpr int kSmoothings = 3;
-constexpr float kClose = 1e-6f;         // a float's mean of a block is not known better
-constexpr float kMostSmoothed = 4;      // ratios beyond would drag their neighbours along
-constexpr float kMostScaled = 16;       // blocks that owe more are filled
+constexpr float kClose = 1e-6f;     // a float's mean of a block is not known better
+constexpr float kMostSmoothed = 4;  // ratios beyond would drag their neighbours along
+constexpr float kMostScaled = 16;   // blocks that owe more are filled
 
 void for_tiles(DetailCanvas& canvas, const WetPlane& q, const std::vector<int>& tiles,
                const Threads& threads, const auto& body) {

@@ -13,8 +13,8 @@
 namespace pentimento {
 
 struct MoveDetail {
-  float residue = 0;                // of layer 0 stays on the paper (R19)
-  std::span<const float> amount;    // per channel: its share in the total amount (A26)
+  float residue = 0;              // of layer 0 stays on the paper (R19)
+  std::span<const float> amount;  // per channel: its share in the total amount (A26)
 };
 
 /// Moves depth and every channel of every layer along one axis, line by line of fine cells, with

@@ -33,8 +33,10 @@ void add_extension(DetailCanvas& canvas, const WetPlane& q, const OwedBlock& blo
     return f * f;
   };
   for (int i = 0; i < k; ++i) {
-    const float left = cell_at(canvas, q, x0 - 1, y0 + i), right = cell_at(canvas, q, x0 + k, y0 + i);
-    const float above = cell_at(canvas, q, x0 + i, y0 - 1), below = cell_at(canvas, q, x0 + i, y0 + k);
+    const float left = cell_at(canvas, q, x0 - 1, y0 + i),
+                right = cell_at(canvas, q, x0 + k, y0 + i);
+    const float above = cell_at(canvas, q, x0 + i, y0 - 1),
+                below = cell_at(canvas, q, x0 + i, y0 + k);
     for (int d = 0; d < k; ++d) {
       weight[static_cast<std::size_t>(i * k + d)] += left * fade(d) + right * fade(k - 1 - d);
       weight[static_cast<std::size_t>(d * k + i)] += above * fade(d) + below * fade(k - 1 - d);

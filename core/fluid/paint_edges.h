@@ -24,6 +24,8 @@ struct PaintEdges {
   bool x_first = true;
 };
 
+struct StepInput;
+
 /// Follows the motion of paint, part of a step by part of a step.
 class PaintFollower {
  public:
@@ -32,7 +34,8 @@ class PaintFollower {
   virtual PaintEdges& edges() = 0;
   /// The scheme has moved the paint of `state` in the cells of `runs`, first along one axis, then
   /// along the other.
-  virtual void moved(const CanvasState& state, const std::vector<conservative::Run>& runs) = 0;
+  virtual void moved(const CanvasState& state, const StepInput& in,
+                     const std::vector<conservative::Run>& runs) = 0;
 };
 
 }  // namespace pentimento

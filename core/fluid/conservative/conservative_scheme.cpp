@@ -82,7 +82,8 @@ bool ConservativeScheme::step(CanvasState& state, const StepInput& in) {
   for (int part = 0; part < parts; ++part) {
     const BrushContact& contact = part == 0 ? in.contact : untouched_;  // the push, once
     const float dt_s = in.dt_s / static_cast<float>(parts);
-    part_of_step(state, {in.model, in.gravity_m_s2, dt_s, contact, in.amount, in.threads, in.follower},
+    part_of_step(state,
+                 {in.model, in.gravity_m_s2, dt_s, contact, in.amount, in.threads, in.follower},
                  part);
   }
   tiles_->fall_asleep(state, in, [&](const CellBox& b) { return feels_gravity(b); });
@@ -109,7 +110,7 @@ void ConservativeScheme::transport(CanvasState& state, const StepInput& in, bool
   for (const Axis axis : {first, second}) move_paint(state, in, axis, *tiles_);
   if (in.follower == nullptr) return;
   in.follower->edges().x_first = even;
-  in.follower->moved(state, tiles_->runs());
+  in.follower->moved(state, in, tiles_->runs());
 }
 
 void ConservativeScheme::find_rheology(const CanvasState& state, const StepInput& in) {

@@ -7,6 +7,7 @@
 
 #include "core/optics/pigment_library.h"
 #include "core/simulation.h"
+#include "tests/core/idle_follower.h"
 
 namespace pentimento {
 namespace {
@@ -31,7 +32,7 @@ Stamp stamp_at(double x_m, double y_m) {
 
 /// Lays each stamp's height on a canvas of its own, `finer` times finer, with nothing but the plan.
 /// For stamps on a dry canvas, where what was lifted does not change the heights levelled to.
-class SecondCanvas : public StampObserver {
+class SecondCanvas : public test::IdleFollower {
  public:
   explicit SecondCanvas(int finer) : finer_(finer) {}
 
@@ -81,9 +82,9 @@ class SecondCanvas : public StampObserver {
 struct Hand {
   Threads threads{1};
   Simulation sim{setup_of_one_pigment(), threads};
-  explicit Hand(StampObserver& observer) {
+  explicit Hand(CanvasFollower& observer) {
     sim.set_color(0);
-    sim.set_stamp_observer(&observer);
+    sim.set_follower(&observer);
     sim.begin_stroke(0, 1);
   }
 };
@@ -118,7 +119,7 @@ TEST(StampObserver, IsToldOfEachStampAlsoAfterClearing) {
   EXPECT_EQ(second.stamps, 2);
   hand.sim.stamp(0, stamp_at(-1, 0.07));  // off the canvas: nothing is laid
   EXPECT_EQ(second.stamps, 2);
-  hand.sim.set_stamp_observer(nullptr);
+  hand.sim.set_follower(nullptr);
   hand.sim.stamp(0, stamp_at(0.1, 0.07));
   EXPECT_EQ(second.stamps, 2);
 }

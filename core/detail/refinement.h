@@ -1,0 +1,57 @@
+#pragma once
+// The detail canvas in step with the guide: the same stamps, the same flow, locked after each step.
+// The guide does not know of it, so a log has one trajectory, whatever the output's size.
+
+#include <cstdint>
+#include <vector>
+
+#include "core/canvas_follower.h"
+#include "core/detail/detail_canvas.h"
+#include "core/detail/detail_stamp.h"
+#include "core/detail/lock.h"
+#include "core/threads.h"
+
+namespace pentimento {
+
+struct RefinementSetup {
+  CanvasGeometry guide;
+  int factor = 1;  // 1..kMostDetail
+  int layers = 1;
+  int channels = 0;
+  int bands = 3;
+  std::vector<float> amount;  // per channel: its share in the total amount (A26)
+  bool locked = true;         // false only to measure what the lock does
+};
+
+class Refinement : public CanvasFollower {
+ public:
+  /// `ground` and `threads` outlive it.
+  Refinement(RefinementSetup setup, const DetailGround& ground, const Threads& threads);
+
+  void lay(const StampPlan& plan, const CanvasState& guide) override;
+  void laid(const StampPlan& plan, const CanvasState& guide) override;
+  PaintEdges& edges() override { return edges_; }
+  void moved(const CanvasState& guide, const StepInput& in,
+             const std::vector<conservative::Run>& runs) override;
+  void stepped(const CanvasState& guide, const StepInput& in) override;
+  void drying(const CanvasState& guide, const ChannelBasis& basis, const Model& model) override;
+  void cleared() override;
+  void restored(const CanvasState& guide) override;
+
+  const DetailCanvas& canvas() const { return canvas_; }
+  const LockStatistics& lock_statistics() const { return lock_.statistics(); }
+
+ private:
+  void flag(const std::vector<int>& tiles);
+
+  RefinementSetup setup_;
+  const Threads& threads_;
+  DetailCanvas canvas_;
+  DetailStamp stamp_;
+  Lock lock_;
+  PaintEdges edges_;
+  std::vector<std::uint8_t> changed_;  // tiles, since the last lock
+  std::vector<int> recent_;            // tiles locked in the last step
+};
+
+}  // namespace pentimento

@@ -1,0 +1,13 @@
+#pragma once
+// A detail canvas for a state that was painted without one.
+
+#include "core/detail/detail_canvas.h"
+#include "core/threads.h"
+
+namespace pentimento {
+
+/// Fills tiles where the guide has paint, wet or dry: each plane bilinear between the guide's cells
+/// (an enlargement: there is no detail to be had), what has dried on top of the fine paper.
+void restore_detail(DetailCanvas& canvas, const CanvasState& guide, const Threads& threads);
+
+}  // namespace pentimento

@@ -1,0 +1,127 @@
+#pragma once
+// A guide with its detail canvas, painted by a few crossing strokes; and what a block holds.
+
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "core/brush/builtin_brushes.h"
+#include "core/brush/stroke_path.h"
+#include "core/detail/refinement.h"
+#include "core/optics/pigment_library.h"
+#include "core/simulation.h"
+
+namespace pentimento::test {
+
+/// Smooth white paper.
+class PlainGround : public DetailGround {
+ public:
+  void relief_row(int, int, std::span<float> out) const override {
+    for (float& h : out) h = 0;
+  }
+  void reflectance_row(int, int, int, std::span<float> out) const override {
+    for (float& r : out) r = 0.9f;
+  }
+};
+
+class Painted {
+ public:
+  Painted(int width, int factor, int thread_count = 1, bool locked = true)
+      : threads_(thread_count), sim_(setup_of(width), threads_) {
+    const CanvasState& state = sim_.state();
+    refinement_ = std::make_unique<Refinement>(
+        RefinementSetup{state.geometry, factor, state.layers, state.channels, state.bands,
+                        std::vector<float>(sim_.basis().amount.begin(), sim_.basis().amount.end()),
+                        locked},
+        ground_, threads_);
+    sim_.set_follower(refinement_.get());
+  }
+
+  Simulation& sim() { return sim_; }
+  const Refinement& refinement() const { return *refinement_; }
+
+  /// A stroke, 0.6 s long, with steps in between.
+  void stroke(int color, double x0, double y0, double x1, double y1, float diameter_m = 0.02f) {
+    sim_.set_color(color);
+    sim_.begin_stroke(0, ++stroke_);
+    StrokePath path(0.025, 0.2, 0.15);
+    std::vector<Stamp> stamps;
+    for (int i = 0; i <= 12; ++i) {
+      TouchSample s;
+      s.x_m = x0 + (x1 - x0) * i / 12;
+      s.y_m = y0 + (y1 - y0) * i / 12 + 0.004 * ((i * 7) % 3);
+      s.time_s = 0.05 * i;
+      s.diameter_m = diameter_m;
+      if (i == 0) {
+        path.begin(s);
+      } else {
+        path.add(s, stamps);
+      }
+      for (const Stamp& stamp : stamps) sim_.stamp(0, stamp);
+      stamps.clear();
+      sim_.step();
+      sim_.step();
+    }
+    path.finish(stamps);
+    for (const Stamp& stamp : stamps) sim_.stamp(0, stamp);
+    sim_.end_stroke(0);
+    sim_.step();
+  }
+
+  void cross() {
+    stroke(0, 0.03, 0.04, 0.17, 0.1);
+    stroke(1, 0.03, 0.1, 0.17, 0.04);
+    stroke(2, 0.1, 0.02, 0.09, 0.13, 0.03f);
+  }
+
+ private:
+  static SimulationSetup setup_of(int width) {
+    SimulationSetup setup;
+    setup.geometry = {width, width * 3 / 4, 0.2, 0.15};
+    std::vector<Pigment> palette;
+    for (const char* name : {"Ultramarine Blue", "Vermilion", "Titanium White"})
+      palette.push_back(*find_library_pigment(name));
+    setup.basis = palette_channels(palette);
+    return setup;
+  }
+
+  Threads threads_;
+  PlainGround ground_;
+  Simulation sim_;
+  std::unique_ptr<Refinement> refinement_;
+  std::uint32_t stroke_ = 0;
+};
+
+/// Mean of the fine cells of a guide cell.
+inline double block_mean(const DetailCanvas& canvas, const WetPlane& q, int x, int y) {
+  const DetailLayout& layout = canvas.layout();
+  const int k = layout.factor(), blocks = layout.blocks();
+  const DetailTile* tile = canvas.find(layout.tile_of(x / blocks, y / blocks));
+  if (tile == nullptr) return 0;
+  const TilePlane& plane =
+      q.pigment < 0 ? tile->depth_m : tile->pigment[static_cast<std::size_t>(q.pigment)];
+  if (!plane) return 0;
+  double sum = 0;
+  for (int j = 0; j < k; ++j)
+    for (int i = 0; i < k; ++i)
+      sum += static_cast<double>(
+          plane.data()[(y % blocks * k + j) * layout.side() + x % blocks * k + i]);
+  return sum / (k * k);
+}
+
+/// How far the detail, reduced, is from the guide: relative L2.
+inline double reduced_difference(const DetailCanvas& canvas, const CanvasState& guide,
+                                 const WetPlane& q) {
+  double difference = 0, size = 0;
+  for (int y = 0; y < guide.geometry.height; ++y) {
+    for (int x = 0; x < guide.geometry.width; ++x) {
+      const double g = static_cast<double>(q.of(guide)(x, y));
+      const double off = block_mean(canvas, q, x, y) - g;
+      difference += off * off;
+      size += g * g;
+    }
+  }
+  return size > 0 ? std::sqrt(difference / size) : std::sqrt(difference);
+}
+
+}  // namespace pentimento::test

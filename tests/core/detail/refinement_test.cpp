@@ -1,0 +1,71 @@
+#include "core/detail/refinement.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "tests/core/detail/painted.h"
+
+namespace pentimento {
+namespace {
+
+// A block's mean is scaled by the last float ratio: each of the k k cells is rounded once, 6e-8.
+constexpr double kExact = 5e-7;
+
+void expect_reduces_to_guide(test::Painted& painted) {
+  const CanvasState& guide = painted.sim().state();
+  for (int p = -1; p < guide.layers * guide.channels; ++p)
+    EXPECT_LT(test::reduced_difference(painted.refinement().canvas(), guide, WetPlane{p}), kExact)
+        << "plane " << p;
+}
+
+TEST(Refinement, ReducesToTheGuide) {
+  for (const int factor : {1, 2, 3, 8}) {
+    test::Painted painted(128, factor);
+    painted.cross();
+    expect_reduces_to_guide(painted);
+  }
+}
+
+TEST(Refinement, IsNearTheGuideEvenUnlocked) {
+  test::Painted painted(128, 4, 1, false);
+  painted.cross();
+  const CanvasState& guide = painted.sim().state();
+  // Measured: depth 3.8 %, pigments 4.2 to 7.6 %. What remains is the guide's own spreading by half
+  // a cell at the edges of strokes, which the finer canvas has not.
+  EXPECT_LT(test::reduced_difference(painted.refinement().canvas(), guide, WetPlane{}), 0.05);
+  for (int p = 0; p < guide.layers * guide.channels; ++p)
+    EXPECT_LT(test::reduced_difference(painted.refinement().canvas(), guide, WetPlane{p}), 0.1)
+        << "plane " << p;
+}
+
+TEST(Refinement, LeavesTheGuideAlone) {
+  test::Painted with(128, 4), without(128, 4);
+  without.sim().set_follower(nullptr);
+  with.cross();
+  without.cross();
+  const CanvasState &a = with.sim().state(), &b = without.sim().state();
+  for (int p = -1; p < a.layers * a.channels; ++p)
+    for (int y = 0; y < a.geometry.height; ++y)
+      ASSERT_EQ(std::memcmp(WetPlane{p}.of(a).row(y), WetPlane{p}.of(b).row(y),
+                            static_cast<std::size_t>(a.geometry.width) * sizeof(float)),
+                0)
+          << "plane " << p << " row " << y;
+}
+
+TEST(Refinement, HasTheSameBitsForAnyNumberOfThreads) {
+  test::Painted one(128, 3, 1), seven(128, 3, 7);
+  one.cross();
+  seven.cross();
+  const DetailCanvas &a = one.refinement().canvas(), &b = seven.refinement().canvas();
+  const std::size_t bytes = static_cast<std::size_t>(a.layout().side()) *
+                            static_cast<std::size_t>(a.layout().side()) * sizeof(float);
+  for (int t = 0; t < a.layout().tiles(); ++t) {
+    ASSERT_EQ(a.find(t) != nullptr, b.find(t) != nullptr);
+    if (a.find(t) == nullptr || !a.find(t)->depth_m) continue;
+    EXPECT_EQ(std::memcmp(a.find(t)->depth_m.data(), b.find(t)->depth_m.data(), bytes), 0);
+  }
+}
+
+}  // namespace
+}  // namespace pentimento
