@@ -136,7 +136,7 @@ Result<void> OutputSet::shade(const Scene& scene, std::size_t first_file) {
     watched.emplace_back(*pending_[i].picture, rows, settings_.control);
   }
   for (WatchedSink& sink : watched) sinks.push_back(&sink);
-  return shader_->shade(scene.state, scene.basis, scene.model, scene.lighting, request, sinks);
+  return shader_->shade(scene.canvas, scene.basis, scene.model, scene.lighting, request, sinks);
 }
 
 Result<void> OutputSet::add_states(const std::vector<PlannedOutput>& outputs, const StateDump& dump,

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/canvas_source.h"
 #include "core/simulation.h"
 #include "formats/hdf5/state_dump.h"
 #include "formats/io/picture_file.h"
@@ -20,7 +21,7 @@ namespace pentimento {
 
 /// One moment of a canvas, ready to be shown.
 struct Scene {
-  const CanvasState& state;
+  const CanvasSource& canvas;
   const ChannelBasis& basis;
   const Model& model;
   const Lighting& lighting;

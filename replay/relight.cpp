@@ -59,7 +59,8 @@ Result<JobReport> relight(const RelightJob& job, const Control& control) {
   const Threads threads(job.threads);
   const OutputSettings settings{job.picture, *size, threads.count(), control};
   OutputSet set(settings, watch);
-  const Scene scene{dump->state, dump->basis, dump->model, dump->lighting};
+  const StateSource canvas(dump->state);
+  const Scene scene{canvas, dump->basis, dump->model, dump->lighting};
   if (Result<void> added = set.add_pictures(*outputs, scene, origin_of(*dump, job)); !added) {
     return added.error();
   }

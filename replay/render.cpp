@@ -166,7 +166,8 @@ Result<void> Replay::write(const std::vector<PlannedOutput>& files) {
   Lighting lighting = clone_lighting(lighting_.lighting());
   light_.apply(lighting);
   settle_lamp(lighting.lamp, job_.gravity ? log_gravity(*job_.gravity) : lighting_.gravity());
-  const Scene scene{simulation_->state(), simulation_->basis(), simulation_->model(), lighting};
+  const StateSource canvas(simulation_->state());
+  const Scene scene{canvas, simulation_->basis(), simulation_->model(), lighting};
   const Origin from = origin(lighting);
   if (Result<void> shaded = outputs_.add_pictures(files, scene, from); !shaded) return shaded;
   if (!any_state(files)) return {};

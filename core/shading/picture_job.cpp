@@ -12,7 +12,7 @@ TileRun crop_run(int first, int count, int whole) {
   return count == 0 ? TileRun{0, whole} : TileRun{first, count};
 }
 
-/// The textures of a tile's part of the state, as large as the largest tile needs.
+/// The textures of a tile's part of the canvas, as large as the largest tile needs.
 class TileTextures {
  public:
   TileTextures(const GlFunctions& gl, const PictureLayout& layout)
@@ -25,18 +25,18 @@ class TileTextures {
         amounts_(gl, TexelFormat::kRgba, width_, height_,
                  layout.variant.layers * layout.variant.planes()) {}
 
-  void upload(const CanvasState& state, const ShadeVariant& variant, const AxisWindow& x,
+  void upload(const CanvasSource& canvas, const ShadeVariant& variant, const AxisWindow& x,
               const AxisWindow& y) {
     columns_.upload(static_cast<int>(x.table.size() / 2), 1, x.table.data());
     rows_.upload(static_cast<int>(y.table.size() / 2), 1, y.table.data());
     const CellWindow window{x.first_cell, y.first_cell, x.cells, y.cells};
-    pack_ground(state, window, texels_);
+    pack_ground(canvas, window, texels_);
     ground_.upload(window.width, window.height, texels_.data());
-    pack_relief(state, window, texels_);
+    pack_relief(canvas, window, texels_);
     relief_.upload(window.width, window.height, texels_.data());
     for (int layer = 0; layer < variant.layers; ++layer) {
       for (int plane = 0; plane < variant.planes(); ++plane) {
-        pack_amounts(state, layer, plane, window, texels_);
+        pack_amounts(canvas, layer, plane, window, texels_);
         amounts_.upload(window.width, window.height, texels_.data(),
                         layer * variant.planes() + plane);
       }
@@ -115,15 +115,15 @@ class StripBuffer {
 
 PictureLayout lay_out(const ShadeScene& scene, const ShadeRequest& request,
                       const std::vector<PlaneSource>& planes) {
-  const CanvasGeometry& grid = scene.state.geometry;
+  const CanvasGeometry& grid = scene.canvas.geometry();
   PictureLayout out;
   const int samples = std::max(samples_per_pixel(grid.width, request.width),
                                samples_per_pixel(grid.height, request.height));
   out.x = {grid.width, request.width, samples};
   out.y = {grid.height, request.height, samples};
   ShadeVariant& variant = out.variant;
-  variant.layers = scene.state.layers;
-  variant.channels = std::max(scene.state.channels, 1);
+  variant.layers = scene.canvas.layers();
+  variant.channels = std::max(scene.canvas.channels(), 1);
   variant.samples_per_pixel = samples;
   variant.interpolate = !out.x.on_cells() || !out.y.on_cells();
   variant.by_depth = scene.model.optical_thickness == OpticalThickness::kDepth;
@@ -151,7 +151,7 @@ Result<void> shade_picture(const GlFunctions& gl, const GlProgram& program, cons
   set_shade_uniforms(program, {scene.basis,
                                scene.model,
                                scene.lighting,
-                               {scene.state.geometry.dx_m(), scene.state.geometry.dy_m()}});
+                               {scene.canvas.geometry().dx_m(), scene.canvas.geometry().dy_m()}});
 
   const int left = tiles.columns.front().first, top = tiles.rows.front().first;
   const int width = tiles.columns.back().first + tiles.columns.back().count - left;
@@ -161,7 +161,7 @@ Result<void> shade_picture(const GlFunctions& gl, const GlProgram& program, cons
   for (const TileRun& row : tiles.rows) {
     const AxisWindow y = axis_window(layout.y, row.first, row.count);
     for (const TileRun& column : tiles.columns) {
-      textures.upload(scene.state, layout.variant,
+      textures.upload(scene.canvas, layout.variant,
                       axis_window(layout.x, column.first, column.count), y);
       textures.bind();
       if (reflection) reflection->bind(kReflectionMap);

@@ -1,5 +1,5 @@
 #pragma once
-// One picture, tile by tile: upload the window of the state, draw, read back, hand out strips.
+// One picture, tile by tile: upload the window of the canvas, draw, read back, hand out strips.
 
 #include <vector>
 
@@ -14,7 +14,7 @@ namespace pentimento {
 
 /// What is shown. References only.
 struct ShadeScene {
-  const CanvasState& state;
+  const CanvasSource& canvas;
   const ChannelBasis& basis;
   const Model& model;
   const Lighting& lighting;

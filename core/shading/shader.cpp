@@ -29,14 +29,14 @@ class GlShader : public Shader {
     context_->release();
   }
 
-  Result<void> shade(const CanvasState& state, const ChannelBasis& basis, const Model& model,
+  Result<void> shade(const CanvasSource& canvas, const ChannelBasis& basis, const Model& model,
                      const Lighting& lighting, const ShadeRequest& request,
                      const std::vector<PictureSink*>& sinks) override {
-    if (auto valid = check(state, basis, request); !valid) return valid;
+    if (auto valid = check(canvas, basis, request); !valid) return valid;
     auto planes = picture_planes(request.aovs, basis);
     if (!planes) return planes.error();
     if (auto current = context_->make_current(); !current) return current;
-    const ShadeScene scene{state, basis, model, lighting};
+    const ShadeScene scene{canvas, basis, model, lighting};
     Result<void> done = run(scene, request, *planes, sinks);
     context_->release();
     return done;
@@ -55,17 +55,17 @@ class GlShader : public Shader {
         std::string(context_->name()) + ", " + text(GL_RENDERER) + ", OpenGL " + text(GL_VERSION);
   }
 
-  static Result<void> check(const CanvasState& state, const ChannelBasis& basis,
+  static Result<void> check(const CanvasSource& canvas, const ChannelBasis& basis,
                             const ShadeRequest& r) {
-    PENTIMENTO_CHECK(basis.channels() == state.channels);
-    if (state.bands != 3 || basis.bands() != 3) {
-      return Error{ErrorCode::kUsage, "pictures are shaded from three bands, this state has " +
-                                          std::to_string(state.bands)};
+    PENTIMENTO_CHECK(basis.channels() == canvas.channels());
+    if (canvas.bands() != 3 || basis.bands() != 3) {
+      return Error{ErrorCode::kUsage, "pictures are shaded from three bands, this canvas has " +
+                                          std::to_string(canvas.bands())};
     }
-    if (state.channels > kMaxPaletteChannels) {
+    if (canvas.channels() > kMaxPaletteChannels) {
       return Error{ErrorCode::kUsage,
-                   "pictures are shaded from at most 8 channels, this state has " +
-                       std::to_string(state.channels)};
+                   "pictures are shaded from at most 8 channels, this canvas has " +
+                       std::to_string(canvas.channels())};
     }
     const bool inside = r.width > 0 && r.height > 0 && r.tile > 0 && r.crop_x >= 0 &&
                         r.crop_y >= 0 && r.crop_width >= 0 && r.crop_height >= 0 &&

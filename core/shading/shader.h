@@ -1,13 +1,13 @@
 #pragma once
-// A canvas state becomes a picture: Kubelka-Munk, irradiance, Torrance-Sparrow, reflection
+// A canvas becomes a picture: Kubelka-Munk, irradiance, Torrance-Sparrow, reflection
 // (R29-R35) in GLSL, in tiles with borders, through an offscreen context. Any size; the picture's
-// pixels and the state's cells are independent (A38: bilinear state, normals from bicubic height).
+// pixels and the canvas's cells are independent (A38: bilinear cells, normals from bicubic height).
 
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "core/canvas_state.h"
+#include "core/canvas_source.h"
 #include "core/model.h"
 #include "core/optics/channels.h"
 #include "core/optics/lighting.h"
@@ -37,12 +37,12 @@ class Shader {
   /// start.
   static Result<std::unique_ptr<Shader>> open(GlBackend backend, int gl_threads);
   virtual ~Shader() = default;
-  /// Shades `state` into `sinks`, strip by strip; strips count rows from the top of the crop. The
+  /// Shades `canvas` into `sinks`, strip by strip; strips count rows from the top of the crop. The
   /// first failing sink ends it. The lamp stands where `lighting` says: a lamp that follows gravity
   /// is turned by the caller (optics/lamp.h). From any thread, one at a time.
   /// Errors: kUsage (crop outside, unknown AOV, not three bands, over 8 channels), kLimit (no
   /// memory for a tile), a sink's own.
-  virtual Result<void> shade(const CanvasState& state, const ChannelBasis& basis,
+  virtual Result<void> shade(const CanvasSource& canvas, const ChannelBasis& basis,
                              const Model& model, const Lighting& lighting,
                              const ShadeRequest& request,
                              const std::vector<PictureSink*>& sinks) = 0;

@@ -19,79 +19,103 @@ Kind kind_of(const CanvasDataset& dataset) {
   return Kind::kPlane;
 }
 
-/// The plane of float values that a dataset stands for; nullptr for the strokes.
-template <typename State>
-auto* float_plane(State& state, const CanvasDataset& dataset) {
+/// The plane that a dataset of one plane of floats stands for.
+PlaneId plane_of(const CanvasDataset& dataset) {
   const std::string_view name = dataset.name;
-  if (name == "/fluid/depth") return &state.depth_m;
-  if (name == "/fluid/velocity_x") return &state.velocity_x_m_s;
-  if (name == "/fluid/velocity_y") return &state.velocity_y_m_s;
-  if (name == "/canvas/base") return &state.base_m;
+  if (name == "/fluid/depth") return {PlaneKind::kDepth};
+  if (name == "/fluid/velocity_x") return {PlaneKind::kVelocityX};
+  if (name == "/fluid/velocity_y") return {PlaneKind::kVelocityY};
+  if (name == "/canvas/base") return {PlaneKind::kBase};
   PENTIMENTO_CHECK(name == "/canvas/paper");
-  return &state.paper_m;
+  return {PlaneKind::kPaper};
+}
+
+Field<float>& plane_in(CanvasState& state, PlaneId plane) {
+  switch (plane.kind) {
+    case PlaneKind::kDepth:
+      return state.depth_m;
+    case PlaneKind::kVelocityX:
+      return state.velocity_x_m_s;
+    case PlaneKind::kVelocityY:
+      return state.velocity_y_m_s;
+    case PlaneKind::kBase:
+      return state.base_m;
+    default:
+      return state.paper_m;
+  }
 }
 
 bool points_down(const CanvasDataset& dataset) {
   return std::string_view(dataset.name) == "/fluid/velocity_y";
 }
 
-std::size_t bytes_of(std::size_t values) {
-  return values * sizeof(std::uint32_t);
-}
-
-void copy_height(const CanvasState& state, int y, std::span<std::uint32_t> out) {
-  for (std::size_t x = 0; x < out.size(); ++x)
-    out[x] = std::bit_cast<std::uint32_t>(state.base_m.row(y)[x] + state.depth_m.row(y)[x]);
-}
-
 constexpr std::uint32_t kSign = 0x80000000u;
+
+/// Reads floats into memory that HDF5 takes as 4-byte values.
+void read_bits(const CanvasSource& canvas, PlaneId plane, int x, int y,
+               std::span<std::uint32_t> out) {
+  std::vector<float> work(out.size());
+  canvas.read(plane, x, y, work);
+  std::memcpy(out.data(), work.data(), out.size() * sizeof(float));
+}
+
+void copy_height(const CanvasSource& canvas, int x, int y, std::span<std::uint32_t> out) {
+  std::vector<float> base(out.size()), depth(out.size());
+  canvas.read({PlaneKind::kBase}, x, y, base);
+  canvas.read({PlaneKind::kDepth}, x, y, depth);
+  for (std::size_t i = 0; i < out.size(); ++i)
+    out[i] = std::bit_cast<std::uint32_t>(base[i] + depth[i]);
+}
+
+void copy_reflectance(const CanvasSource& canvas, int x, int y, std::span<std::uint32_t> out) {
+  const auto bands = static_cast<std::size_t>(canvas.bands());
+  std::vector<float> band(out.size() / bands);
+  for (std::size_t b = 0; b < bands; ++b) {
+    canvas.read(reflectance_plane(static_cast<int>(b)), x, y, band);
+    for (std::size_t i = 0; i < band.size(); ++i)
+      out[i * bands + b] = std::bit_cast<std::uint32_t>(band[i]);
+  }
+}
 
 }  // namespace
 
-std::vector<std::uint64_t> shape_of(const CanvasState& state, const CanvasDataset& dataset) {
-  const auto ny = static_cast<std::uint64_t>(state.geometry.height);
-  const auto nx = static_cast<std::uint64_t>(state.geometry.width);
+std::vector<std::uint64_t> shape_of(const CanvasSource& canvas, const CanvasDataset& dataset) {
+  const auto ny = static_cast<std::uint64_t>(canvas.geometry().height);
+  const auto nx = static_cast<std::uint64_t>(canvas.geometry().width);
   switch (kind_of(dataset)) {
     case Kind::kReflectance:
-      return {ny, nx, static_cast<std::uint64_t>(state.bands)};
+      return {ny, nx, static_cast<std::uint64_t>(canvas.bands())};
     case Kind::kPigment:
-      return {static_cast<std::uint64_t>(state.layers), static_cast<std::uint64_t>(state.channels),
-              ny, nx};
+      return {static_cast<std::uint64_t>(canvas.layers()),
+              static_cast<std::uint64_t>(canvas.channels()), ny, nx};
     default:
       return {ny, nx};
   }
 }
 
-int row_values(const CanvasState& state, const CanvasDataset& dataset) {
-  const int nx = state.geometry.width;
-  return kind_of(dataset) == Kind::kReflectance ? nx * state.bands : nx;
+int cell_values(const CanvasSource& canvas, const CanvasDataset& dataset) {
+  return kind_of(dataset) == Kind::kReflectance ? canvas.bands() : 1;
 }
 
-std::int64_t row_count(const CanvasState& state, const CanvasDataset& dataset) {
-  const std::int64_t ny = state.geometry.height;
-  return kind_of(dataset) == Kind::kPigment ? ny * state.layers * state.channels : ny;
+std::int64_t row_count(const CanvasSource& canvas, const CanvasDataset& dataset) {
+  const std::int64_t ny = canvas.geometry().height;
+  return kind_of(dataset) == Kind::kPigment ? ny * canvas.layers() * canvas.channels() : ny;
 }
 
-void copy_row(const CanvasState& state, const CanvasDataset& dataset, std::int64_t row,
-              std::span<std::uint32_t> out) {
-  const int ny = state.geometry.height;
+void copy_cells(const CanvasSource& canvas, const CanvasDataset& dataset, std::int64_t row, int x,
+                std::span<std::uint32_t> out) {
+  const int ny = canvas.geometry().height;
   const int y = static_cast<int>(row % ny);
   const Kind kind = kind_of(dataset);
-  if (dataset.is_derived) return copy_height(state, y, out);
-  if (dataset.is_integer) {
-    std::memcpy(out.data(), state.stroke.row(y), bytes_of(out.size()));
-    return;
-  }
-  if (kind == Kind::kReflectance) {
-    const auto bands = static_cast<std::size_t>(state.bands);
-    for (std::size_t i = 0; i < out.size(); ++i)
-      out[i] = std::bit_cast<std::uint32_t>(state.reflectance[i % bands].row(y)[i / bands]);
-    return;
-  }
-  const Field<float>& plane = kind == Kind::kPigment
-                                  ? state.pigment[static_cast<std::size_t>(row / ny)]
-                                  : *float_plane(state, dataset);
-  std::memcpy(out.data(), plane.row(y), bytes_of(out.size()));
+  if (dataset.is_derived) return copy_height(canvas, x, y, out);
+  if (dataset.is_integer) return canvas.read_strokes(x, y, out);
+  if (kind == Kind::kReflectance) return copy_reflectance(canvas, x, y, out);
+  const int plane = static_cast<int>(row / ny);
+  read_bits(canvas,
+            kind == Kind::kPigment
+                ? pigment_plane(plane / canvas.channels(), plane % canvas.channels())
+                : plane_of(dataset),
+            x, y, out);
   if (points_down(dataset))
     for (std::uint32_t& v : out) v ^= kSign;
 }
@@ -103,7 +127,7 @@ void store_row(CanvasState& state, const CanvasDataset& dataset, std::int64_t ro
   const Kind kind = kind_of(dataset);
   PENTIMENTO_CHECK(!dataset.is_derived);
   if (dataset.is_integer) {
-    std::memcpy(state.stroke.row(y), in.data(), bytes_of(in.size()));
+    std::memcpy(state.stroke.row(y), in.data(), in.size() * sizeof(std::uint32_t));
     return;
   }
   if (kind == Kind::kReflectance) {
@@ -113,7 +137,7 @@ void store_row(CanvasState& state, const CanvasDataset& dataset, std::int64_t ro
     return;
   }
   Field<float>& plane = kind == Kind::kPigment ? state.pigment[static_cast<std::size_t>(row / ny)]
-                                               : *float_plane(state, dataset);
+                                               : plane_in(state, plane_of(dataset));
   const std::uint32_t flip = points_down(dataset) ? kSign : 0;
   for (std::size_t x = 0; x < in.size(); ++x) plane.row(y)[x] = std::bit_cast<float>(in[x] ^ flip);
 }

@@ -1,6 +1,6 @@
 #pragma once
 // The names in a state dump (docs/state-format.md), shared by writer and reader, and the planes of
-// a canvas state in the form the dump has them.
+// a canvas in the form the dump has them.
 
 #include <array>
 #include <cstdint>
@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "core/canvas_state.h"
+#include "core/canvas_source.h"
 
 namespace pentimento::hdf5 {
 
@@ -34,18 +34,19 @@ inline constexpr std::array<CanvasDataset, 9> kCanvasDatasets = {{
     {"/fluid/height", "m", "height of the surface: base + depth", false, true},
 }};
 
-/// Shape of a dataset of `state`.
-std::vector<std::uint64_t> shape_of(const CanvasState& state, const CanvasDataset& dataset);
+/// Shape of a dataset of `canvas`.
+std::vector<std::uint64_t> shape_of(const CanvasSource& canvas, const CanvasDataset& dataset);
 
+/// Values of 4 bytes that a cell has in each row.
+int cell_values(const CanvasSource& canvas, const CanvasDataset& dataset);
 /// Rows of the whole dataset: `row` counts through all planes, top to bottom, plane after plane.
-int row_values(const CanvasState& state, const CanvasDataset& dataset);
-std::int64_t row_count(const CanvasState& state, const CanvasDataset& dataset);
+std::int64_t row_count(const CanvasSource& canvas, const CanvasDataset& dataset);
 
-/// Copies one row as the dump has it (velocity_y negated, reflectance interleaved); `out` holds
-/// row_values() values of 4 bytes.
-void copy_row(const CanvasState& state, const CanvasDataset& dataset, std::int64_t row,
-              std::span<std::uint32_t> out);
-/// The other way. Not for derived datasets.
+/// Copies cells x, x + 1, ... of one row as the dump has them (velocity_y negated, reflectance
+/// interleaved); `out` holds whole cells.
+void copy_cells(const CanvasSource& canvas, const CanvasDataset& dataset, std::int64_t row, int x,
+                std::span<std::uint32_t> out);
+/// A whole row the other way. Not for derived datasets.
 void store_row(CanvasState& state, const CanvasDataset& dataset, std::int64_t row,
                std::span<const std::uint32_t> in);
 

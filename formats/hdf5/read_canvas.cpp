@@ -118,7 +118,7 @@ Result<CanvasState> empty_canvas(hid_t file, const std::string& path) {
       make_canvas_state(geometry, static_cast<int>(layers), static_cast<int>(channels),
                         static_cast<int>((*bands)[2]), 0);
   for (const CanvasDataset& dataset : kCanvasDatasets) {
-    const Shape needed = shape_of(state, dataset);
+    const Shape needed = shape_of(StateSource(state), dataset);
     const Result<Shape> found = shape_in_file(file, path, dataset.name, needed.size());
     if (!found) return found.error();
     if (const Result<void> fits = check_shape(path, dataset.name, *found, needed); !fits)
@@ -131,7 +131,7 @@ Result<void> read_canvas(hid_t file, const std::string& path, const CanvasDatase
                          CanvasState& state) {
   std::int64_t bad_row = -1;
   const bool read = for_each_row(
-      file, dataset.name, shape_of(state, dataset),
+      file, dataset.name, shape_of(StateSource(state), dataset),
       dataset.is_integer ? H5T_NATIVE_UINT32 : H5T_NATIVE_FLOAT,
       [&](std::int64_t row, std::span<const std::uint32_t> values) {
         store_row(state, dataset, row, values);

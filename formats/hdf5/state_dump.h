@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "core/canvas_state.h"
+#include "core/canvas_source.h"
 #include "core/model.h"
 #include "core/optics/channels.h"
 #include "core/optics/lighting.h"
@@ -40,10 +40,14 @@ struct DumpOptions {
 /// How a dump names itself, and the newest version known here.
 inline constexpr const char* kStateFormat = "pentimento-state";
 inline constexpr int kStateVersion = 1;
+/// Of the hash's first line: what is hashed has not changed since.
+inline constexpr int kHashVersion = 1;
 
 /// SHA-256 (hex) of the state's values, as docs/state-format.md defines it: the same for any
 /// number of threads, chunking and file.
 std::string state_sha256(const CanvasState& state);
+/// The same of the planes alone: of a canvas on which nothing sleeps.
+std::string state_sha256(const CanvasSource& canvas);
 
 /// The dump's file made whole under a temporary name; OutputFile::publish() gives it its own.
 /// Without the .xdmf. Errors: kIo, kLimit, kUsage.

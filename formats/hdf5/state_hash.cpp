@@ -29,24 +29,35 @@ void add_sleep(const CanvasState& state, Sha256& hash) {
   hash.update(bits.data(), bits.size() * sizeof(std::uint32_t));
 }
 
-}  // namespace
-
-std::string state_sha256(const CanvasState& state) {
-  Sha256 hash;
-  hash.update(fmt::format("{} {}\nstep {}\n", kStateFormat, kStateVersion, state.step));
+void add_planes(const CanvasSource& canvas, Sha256& hash) {
+  hash.update(fmt::format("{} {}\nstep {}\n", kStateFormat, kHashVersion, canvas.step()));
   std::vector<std::uint32_t> row;
   for (const hdf5::CanvasDataset& dataset : hdf5::kCanvasDatasets) {
     if (dataset.is_derived) continue;
     hash.update(fmt::format("{} {} {}\n", dataset.name, dataset.is_integer ? "uint32" : "float32",
-                            fmt::join(hdf5::shape_of(state, dataset), " ")));
-    row.resize(static_cast<std::size_t>(hdf5::row_values(state, dataset)));
-    for (std::int64_t y = 0; y < hdf5::row_count(state, dataset); ++y) {
-      hdf5::copy_row(state, dataset, y, row);
+                            fmt::join(hdf5::shape_of(canvas, dataset), " ")));
+    row.resize(static_cast<std::size_t>(canvas.geometry().width) *
+               static_cast<std::size_t>(hdf5::cell_values(canvas, dataset)));
+    for (std::int64_t y = 0; y < hdf5::row_count(canvas, dataset); ++y) {
+      hdf5::copy_cells(canvas, dataset, y, 0, row);
       to_little_endian(row);
       hash.update(row.data(), row.size() * sizeof(std::uint32_t));
     }
   }
+}
+
+}  // namespace
+
+std::string state_sha256(const CanvasState& state) {
+  Sha256 hash;
+  add_planes(StateSource(state), hash);
   if (!state.sleep.empty()) add_sleep(state, hash);
+  return hash.hex();
+}
+
+std::string state_sha256(const CanvasSource& canvas) {
+  Sha256 hash;
+  add_planes(canvas, hash);
   return hash.hex();
 }
 

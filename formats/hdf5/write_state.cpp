@@ -40,11 +40,11 @@ std::vector<hsize_t> shape_of(const Matrix& m) {
   return {static_cast<hsize_t>(m.rows()), static_cast<hsize_t>(m.cols())};
 }
 
-bool write_canvas(hid_t file, const CanvasState& state, int level, const Threads& threads) {
+bool write_canvas(hid_t file, const CanvasSource& canvas, int level, const Threads& threads) {
   for (const hdf5::CanvasDataset& what : hdf5::kCanvasDatasets) {
-    const hdf5::RowSource source = {hdf5::shape_of(state, what),
+    const hdf5::RowSource source = {hdf5::shape_of(canvas, what),
                                     [&](std::int64_t row, std::span<std::uint32_t> out) {
-                                      hdf5::copy_row(state, what, row, out);
+                                      hdf5::copy_cells(canvas, what, row, 0, out);
                                     }};
     const hid_t type = what.is_integer ? H5T_NATIVE_UINT32 : H5T_NATIVE_FLOAT;
     const Handle dataset(hdf5::write_chunked(file, what.name, type, source, level, threads),
@@ -181,7 +181,7 @@ std::string file_image(const StateDump& dump, const std::string& hash, const Dum
   bool ok = file.ok();
   for (const char* group : kGroups) ok = ok && hdf5::make_group(file.id(), group);
   const int level = options.deflate_level;
-  ok = ok && write_canvas(file.id(), dump.state, level, threads) &&
+  ok = ok && write_canvas(file.id(), StateSource(dump.state), level, threads) &&
        hdf5::write_sleep(file.id(), dump.state) && write_basis(file.id(), dump.basis) &&
        write_palette(file.id(), dump) && write_lighting(file.id(), dump.lighting, level, threads) &&
        write_root(file.id(), dump, hash, options.provenance) &&

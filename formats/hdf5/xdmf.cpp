@@ -65,7 +65,7 @@ std::string planes(const std::string& file, const StateDump& dump) {
   const std::string dimensions = fmt::format("{} {}", state.geometry.height, state.geometry.width);
   std::string out;
   for (const hdf5::CanvasDataset& dataset : hdf5::kCanvasDatasets) {
-    const std::size_t rank = hdf5::shape_of(state, dataset).size();
+    const std::size_t rank = hdf5::shape_of(StateSource(state), dataset).size();
     if (rank == 2) out += plane(dataset.name + 1, "Scalar", whole_item(file, dataset, dimensions));
     if (rank == 3 && state.bands == 3)
       out += plane(dataset.name + 1, "Vector", whole_item(file, dataset, dimensions + " 3"));

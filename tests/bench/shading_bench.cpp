@@ -29,7 +29,7 @@ void shade(benchmark::State& state) {
   const CanvasState canvas = painted::scene(basis, grid, grid * 3 / 4);
   Drop drop;
   const auto picture = [&] {
-    auto done = (*shader)->shade(canvas, basis, Model{}, Lighting{}, request, {&drop});
+    auto done = (*shader)->shade(StateSource(canvas), basis, Model{}, Lighting{}, request, {&drop});
     if (!done) state.SkipWithError(done.error().message.c_str());
   };
   picture();  // compiles the program, once per context

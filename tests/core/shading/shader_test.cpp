@@ -32,7 +32,7 @@ struct Scene {
 
   WholePicture shade(Shader& shader, const ShadeRequest& request) const {
     WholePicture picture;
-    const auto done = shader.shade(state, basis, model, lighting, request, {&picture});
+    const auto done = shader.shade(StateSource(state), basis, model, lighting, request, {&picture});
     EXPECT_TRUE(done) << done.error().message;
     return picture;
   }
@@ -251,8 +251,8 @@ TEST(Shader, StripsComeInOrderAndAFailingSinkEndsIt) {
   EXPECT_EQ(p.rows, 48);
   EXPECT_EQ(p.strips, 5);
   Failing failing;
-  const auto done =
-      shader->shade(scene.state, scene.basis, scene.model, scene.lighting, r, {&failing});
+  const auto done = shader->shade(StateSource(scene.state), scene.basis, scene.model,
+                                  scene.lighting, r, {&failing});
   ASSERT_FALSE(done);
   EXPECT_EQ(done.error().message, "full");
   EXPECT_EQ(failing.calls, 1);
@@ -390,7 +390,8 @@ TEST(Shader, RefusesWhatItCannotShade) {
   Scene scene;
   WholePicture p;
   const auto error = [&](const ShadeRequest& r) {
-    const auto done = shader->shade(scene.state, scene.basis, scene.model, scene.lighting, r, {&p});
+    const auto done =
+        shader->shade(StateSource(scene.state), scene.basis, scene.model, scene.lighting, r, {&p});
     return done ? std::string() : done.error().message;
   };
   ShadeRequest outside = request(64, 48);

@@ -20,8 +20,9 @@ CanvasState small_state() {
 }
 
 TEST(PackGround, RepeatsTheEdgeBeyondTheGrid) {
+  const CanvasState state = small_state();
   std::vector<float> texels;
-  pack_ground(small_state(), {-2, -1, 7, 4}, texels);
+  pack_ground(StateSource(state), {-2, -1, 7, 4}, texels);
   ASSERT_EQ(texels.size(), 4u * 7 * 4);
   const float expected[4][7] = {{0, 0, 0, 1, 2, 2, 2},
                                 {0, 0, 0, 1, 2, 2, 2},
@@ -36,22 +37,25 @@ TEST(PackGround, RepeatsTheEdgeBeyondTheGrid) {
 }
 
 TEST(PackGround, AcceptsAWindowWhollyBeyondTheGrid) {
+  const CanvasState state = small_state();
   std::vector<float> texels;
-  pack_ground(small_state(), {5, 5, 2, 1}, texels);
+  pack_ground(StateSource(state), {5, 5, 2, 1}, texels);
   EXPECT_EQ(texels[3], 12);
-  pack_ground(small_state(), {-9, -9, 2, 1}, texels);
+  pack_ground(StateSource(state), {-9, -9, 2, 1}, texels);
   EXPECT_EQ(texels[7], 0);
 }
 
 TEST(PackRelief, HoldsHeightAndThicknessOfAllPaint) {
+  const CanvasState state = small_state();
   std::vector<float> texels;
-  pack_relief(small_state(), {1, 1, 1, 1}, texels);
+  pack_relief(StateSource(state), {1, 1, 1, 1}, texels);
   EXPECT_EQ(texels, (std::vector<float>{111, 51}));
 }
 
 TEST(PackAmounts, FillsMissingChannelsWithZeros) {
+  const CanvasState state = small_state();
   std::vector<float> texels(100, 7.0f);
-  pack_amounts(small_state(), 0, 1, {2, 1, 1, 1}, texels);
+  pack_amounts(StateSource(state), 0, 1, {2, 1, 1, 1}, texels);
   EXPECT_EQ(texels, (std::vector<float>{-12, 0, 0, 0}));
 }
 
