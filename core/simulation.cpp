@@ -83,7 +83,7 @@ struct Simulation::Impl {
   /// Dips every brush anew if what it should hold has changed.
   void reload() {
     const PaintLoad wanted = wanted_load();
-    if (wanted.paint == load.paint) return;
+    if (wanted == load) return;
     load = wanted;
     for (auto& [id, touch] : touches) touch.reservoir.fill(load);
   }

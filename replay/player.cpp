@@ -7,8 +7,8 @@
 namespace pentimento {
 
 namespace {
-/// Looking for non-finite values costs about a tenth of a step.
-constexpr std::int64_t kStepsBetweenChecks = 16;
+/// Looking for non-finite values costs about a third of a step.
+constexpr std::int64_t kStepsBetweenChecks = 64;
 }  // namespace
 
 Player::Player(const PlayerInput& input) : in_(input), first_step_(input.simulation.state().step) {}

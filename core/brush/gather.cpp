@@ -1,107 +1,146 @@
 #include "core/brush/gather.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace pentimento {
 
 namespace {
-/// Where texels lie among the cells of a box, and how far each reaches for paint: a tent as wide as
-/// texels are apart, and never narrower than a cell, so that no cell under the tip is missed.
-struct Reach {
-  float x0 = 0, y0 = 0;                      // of the tip's centre, in cells
-  float x_u = 0, x_v = 0, y_u = 0, y_v = 0;  // cells per tip unit
-  float half_x = 1, half_y = 1;              // of the tent, in cells
-};
+constexpr float kFineCell = 1.25f;  // texels: up to this, four texels take a cell's paint evenly
 
-Reach reach_of(const TipPose& pose, const CellBox& box, const CanvasGeometry& geometry) {
-  const double dx = geometry.width_m / geometry.width, dy = geometry.height_m / geometry.height;
-  Reach r;
-  r.x0 = static_cast<float>(pose.x_m / dx - box.x - 0.5);
-  r.y0 = static_cast<float>(pose.y_m / dy - box.y - 0.5);
-  r.x_u = pose.x_u / static_cast<float>(dx);
-  r.x_v = pose.x_v / static_cast<float>(dx);
-  r.y_u = pose.y_u / static_cast<float>(dy);
-  r.y_v = pose.y_v / static_cast<float>(dy);
-  r.half_x = std::max(1.0f, (std::abs(r.x_u) + std::abs(r.x_v)) / kReservoirSide);
-  r.half_y = std::max(1.0f, (std::abs(r.y_u) + std::abs(r.y_v)) / kReservoirSide);
-  return r;
-}
-
-/// The whole numbers strictly between at - half and at + half, within [0, size).
-struct Span {
+/// Weights of the texels near one place along one axis: a tent of half width `half` about it.
+template <int kCount>
+struct Tent {
   int begin = 0, end = 0;
-  Span(float at, float half, int size) {
-    const float last = static_cast<float>(size);
-    begin = static_cast<int>(std::clamp(at - half + 1, 0.0f, last));
-    end = static_cast<int>(std::clamp(std::ceil(at + half), 0.0f, last));
+  std::array<float, kCount> weight;
+
+  Tent(float at, float half) {
+    begin = static_cast<int>(std::clamp(at - half + 1, 0.0f, static_cast<float>(kCount)));
+    end = static_cast<int>(std::clamp(std::ceil(at + half), 0.0f, static_cast<float>(kCount)));
+    for (int i = begin; i < end; ++i)
+      weight[static_cast<std::size_t>(i)] =
+          std::max(0.0f, 1 - std::abs(static_cast<float>(i) - at) / half);
   }
+  float operator[](int i) const { return weight[static_cast<std::size_t>(i)]; }
 };
 
-/// Calls visit(cell, weight) for the cells that a texel reaches, row by row.
-template <typename Visit>
-void visit_cells(const Reach& r, const TipTexel& t, const CellBox& box, const Visit& visit) {
-  const float x = r.x0 + r.x_u * t.u + r.x_v * t.v;
-  const float y = r.y0 + r.y_u * t.u + r.y_v * t.v;
-  const Span columns(x, r.half_x, box.width);
-  const Span rows(y, r.half_y, box.height);
-  for (int j = rows.begin; j < rows.end; ++j) {
-    const float wy = 1 - std::abs(static_cast<float>(j) - y) / r.half_y;
-    for (int i = columns.begin; i < columns.end; ++i) {
-      const float w = wy * (1 - std::abs(static_cast<float>(i) - x) / r.half_x);
-      if (w > 0)
-        visit(static_cast<std::size_t>(j) * static_cast<std::size_t>(box.width) +
-                  static_cast<std::size_t>(i),
-              w);
-    }
+using Across = Tent<kReservoirRows>;
+using Along = Tent<kReservoirColumns>;
+
+/// Of the weights, those of texels that the tip covers.
+float covered_weight(const Along& along, const Across& across, const Tip& tip) {
+  float total = 0;
+  for (int j = across.begin; j < across.end; ++j) {
+    float row = 0;
+    for (int i = along.begin; i < along.end; ++i)
+      row += along[i] * tip.covered(j * kReservoirColumns + i);
+    total += across[j] * row;
   }
+  return total;
 }
 
-/// Each cell's paint divided among the weights that reach it, per texel's area; `unreached` takes
-/// the paint of cells that none reaches.
-void divide_paint(const LiftedPaint& lifted, float cells_per_texel, GatherScratch& scratch,
-                  std::vector<float>& unreached) {
-  const std::size_t stride = static_cast<std::size_t>(lifted.stride);
-  for (std::size_t cell = 0; cell < scratch.weight.size(); ++cell) {
-    const float weight = scratch.weight[cell];
-    const float factor = weight > 0 ? cells_per_texel / weight : 0.0f;
-    for (std::size_t k = 0; k < stride; ++k) {
-      const float paint = lifted.paint[cell * stride + k];
-      scratch.paint[cell * stride + k] = factor * paint;
-      if (!(weight > 0)) unreached[k] += cells_per_texel * paint;
+void give(const float* paint, float factor, int stride, float* out) {
+  for (int k = 0; k < stride; k += 4)
+    for (int i = k; i < k + 4; ++i) out[i] += factor * paint[i];
+}
+
+bool is_nothing(const float* paint, int stride) {
+  for (int k = 0; k < stride; ++k)
+    if (paint[k] != 0) return false;
+  return true;
+}
+
+/// To the four texels around a place, as a sample there would weigh them. False: none is the tip's.
+bool give_to_four(const float* paint, float factor, Vec2f at, const Tip& tip,
+                  Reservoir& reservoir) {
+  const float x = std::clamp(at.x, 0.0f, kReservoirColumns - 1.0f);
+  const float y = std::clamp(at.y, 0.0f, kReservoirRows - 1.0f);
+  const int i = std::min(static_cast<int>(x), kReservoirColumns - 2);
+  const int j = std::min(static_cast<int>(y), kReservoirRows - 2);
+  const float fx = x - static_cast<float>(i), fy = y - static_cast<float>(j);
+  const int a = j * kReservoirColumns + i, c = a + kReservoirColumns;
+  const std::array<float, 4> w = {(1 - fx) * (1 - fy) * tip.covered(a),
+                                  fx * (1 - fy) * tip.covered(a + 1),
+                                  (1 - fx) * fy * tip.covered(c), fx * fy * tip.covered(c + 1)};
+  const float total = (w[0] + w[1]) + (w[2] + w[3]);
+  if (!(total > 0)) return false;
+  const float scale = factor / total;
+  const int stride = reservoir.stride();
+  float* top = reservoir.dirty_texel(a);
+  give(paint, scale * w[0], stride, top);
+  give(paint, scale * w[1], stride, top + stride);
+  float* bottom = reservoir.dirty_texel(c);
+  give(paint, scale * w[2], stride, bottom);
+  give(paint, scale * w[3], stride, bottom + stride);
+  return true;
+}
+
+struct TentPlace {
+  float at = 0, half = 1;
+};
+
+/// To all texels that a cell wider than they are reaches. False: none is the tip's.
+bool give_to_tents(const float* paint, float factor, TentPlace u, TentPlace v, const Tip& tip,
+                   Reservoir& reservoir) {
+  const Along along(u.at, u.half);
+  const Across across(v.at, v.half);
+  const float weight = covered_weight(along, across, tip);
+  if (!(weight > 0)) return false;
+  for (int j = across.begin; j < across.end; ++j) {
+    for (int i = along.begin; i < along.end; ++i) {
+      const int texel = j * kReservoirColumns + i;
+      const float w = factor / weight * across[j] * along[i] * tip.covered(texel);
+      if (w > 0) give(paint, w, reservoir.stride(), reservoir.dirty_texel(texel));
     }
   }
+  return true;
+}
+
+/// What reached no texel, spread evenly.
+void spread(std::span<const float> paint, const Tip& tip, Reservoir& reservoir) {
+  const float share = 1 / static_cast<float>(tip.texels().size());
+  for (const TipTexel& t : tip.texels())
+    give(paint.data(), share, static_cast<int>(paint.size()), reservoir.dirty_texel(t.index));
 }
 }  // namespace
 
 void gather_lifted(const LiftedPaint& lifted, const TipPose& pose, const CellBox& box,
-                   const CanvasGeometry& geometry, const Tip& tip, Reservoir& reservoir,
-                   GatherScratch& scratch) {
-  const auto& texels = tip.texels();
-  const std::size_t stride = static_cast<std::size_t>(lifted.stride);
-  const std::size_t cells =
-      static_cast<std::size_t>(box.width) * static_cast<std::size_t>(box.height);
-  const Reach reach = reach_of(pose, box, geometry);
-  scratch.weight.assign(cells, 0.0f);
-  scratch.paint.resize(cells * stride);
-  scratch.unreached.assign(stride, 0.0f);
-  for (const TipTexel& t : texels) {
-    visit_cells(reach, t, box, [&](std::size_t cell, float w) { scratch.weight[cell] += w; });
-  }
+                   const CanvasGeometry& geometry, const Tip& tip, Reservoir& reservoir) {
+  const int stride = lifted.stride;
+  const float dx = geometry.dx_m(), dy = geometry.dy_m();
+  // A cell's size in texels.
+  const auto size = [&](float by_x, float by_y, int texels) {
+    const float x = by_x * dx, y = by_y * dy;
+    return static_cast<float>(texels) * std::sqrt(x * x + y * y);
+  };
+  const float size_u = size(pose.u_x, pose.u_y, kReservoirColumns);
+  const float size_v = size(pose.v_x, pose.v_y, kReservoirRows);
+  const bool fine = size_u <= kFineCell && size_v <= kFineCell;
   const double tip_area =
       static_cast<double>(pose.diameter_m) * static_cast<double>(pose.diameter_m);
-  const double cells_per_texel =
-      geometry.cell_area_m2() * kReservoirSide * kReservoirSide / tip_area;
-  divide_paint(lifted, static_cast<float>(cells_per_texel), scratch, scratch.unreached);
-  for (float& paint : scratch.unreached) paint /= static_cast<float>(texels.size());
-  for (const TipTexel& t : texels) {
-    float* out = reservoir.texel(t.index);
-    for (std::size_t k = 0; k < stride; ++k) out[k] += scratch.unreached[k];
-    visit_cells(reach, t, box, [&](std::size_t cell, float w) {
-      const float* paint = scratch.paint.data() + cell * stride;
-      for (std::size_t k = 0; k < stride; ++k) out[k] += w * paint[k];
-    });
+  const float cells_per_texel =
+      static_cast<float>(geometry.cell_area_m2() * kReservoirTexels / tip_area);
+  std::vector<float> unreached;
+  for (int y = 0; y < box.height; ++y) {
+    const TipRow row = tip_row(pose, box, geometry, box.y + y);
+    const TouchedCells& cells = lifted.rows[static_cast<std::size_t>(y)];
+    for (int x = cells.begin; x < cells.end; ++x) {
+      const float* paint =
+          lifted.paint.data() + (static_cast<std::ptrdiff_t>(y) * box.width + x) * stride;
+      if (is_nothing(paint, stride)) continue;
+      const float at_u = (row.u(x) + 0.5f) * kReservoirColumns - 0.5f;
+      const float at_v = (row.v(x) + 0.5f) * kReservoirRows - 0.5f;
+      const bool given = fine
+                             ? give_to_four(paint, cells_per_texel, {at_u, at_v}, tip, reservoir)
+                             : give_to_tents(paint, cells_per_texel, {at_u, std::max(1.0f, size_u)},
+                                             {at_v, std::max(1.0f, size_v)}, tip, reservoir);
+      if (given) continue;
+      unreached.resize(static_cast<std::size_t>(stride), 0.0f);
+      give(paint, cells_per_texel, stride, unreached.data());
+    }
   }
+  if (!unreached.empty()) spread(unreached, tip, reservoir);
 }
 
 }  // namespace pentimento

@@ -8,25 +8,10 @@
 #include <span>
 #include <vector>
 
+#include "core/brush/paint_load.h"
 #include "core/brush/tip.h"
 
 namespace pentimento {
-
-/// What the brush is dipped into (U of R22), as the reservoir holds it.
-struct PaintLoad {
-  std::vector<float> paint;   // height (m), then amounts per channel
-  std::vector<float> amount;  // per channel: its share in the total amount (A26)
-  float height_per_amount_m = 0.05f;
-  float content_m = 0;  // of `paint`
-
-  /// Height plus amount as height.
-  float content_of(const float* paint_at) const {
-    float sum = 0;
-    for (std::size_t c = 0; c < amount.size(); ++c)
-      if (amount[c] != 0) sum += amount[c] * paint_at[1 + c];
-    return paint_at[0] + height_per_amount_m * sum;
-  }
-};
 
 /// out = w[0] a + w[1] b + w[2] c + w[3] d over `stride` floats, a whole number of fours.
 inline void blend_texels(const float* a, const float* b, const float* c, const float* d,
@@ -41,29 +26,39 @@ class Reservoir {
 
   /// Every texel becomes the load.
   void fill(const PaintLoad& load);
+  /// Only the texels whose row is in [begin, end) do.
+  void fill_rows(const PaintLoad& load, int begin, int end);
   /// Floats per texel: height, channels, padding of zeros.
   int stride() const { return stride_; }
-  float* texel(int index) { return data_.data() + static_cast<std::ptrdiff_t>(index) * stride_; }
   const float* texel(int index) const {
+    return data_.data() + static_cast<std::ptrdiff_t>(index) * stride_;
+  }
+  /// For writing: the brush no longer holds just what it was loaded with.
+  float* dirty_texel(int index) {
+    as_loaded_ = false;
     return data_.data() + static_cast<std::ptrdiff_t>(index) * stride_;
   }
   /// Bilinear paint at (u, v) in tip coordinates, clamped at the edge; `out` has stride() floats.
   void sample(float u, float v, float* out) const;
 
   /// R22: each of the tip's texels goes the share `refill_frac` of the way to the load's paint, at
-  /// its own content if that is larger (the palette takes and gives alike).
+  /// its own content if that is larger (the palette takes and gives alike). Measures the surplus.
   void refill(const PaintLoad& load, const Tip& tip, float refill_frac);
-  /// What is above the load's content, summed over texels with their weights.
-  double weighted_surplus(const PaintLoad& load, const Tip& tip) const;
-  /// Takes the share `frac` x weight of each texel's surplus away, its composition kept.
+  /// What was above the load's content at the last refill(), summed over texels with their weights.
+  double weighted_surplus() const { return surplus_; }
+  /// Takes the share `frac` x weight of the surplus measured last from each texel, its composition
+  /// kept.
   void drop_surplus(const PaintLoad& load, const Tip& tip, float frac);
 
-  float density_frac = 1;    // R24: fluid left, 1 at touch-down
+  float density_frac = 1;    // R24: fluid left, 1 when full
   float dry_ahead_frac = 1;  // share of dry canvas in what the stroke ran onto last
 
  private:
   int stride_;
+  bool as_loaded_ = false;  // nothing but fill() has touched it: a refill would change nothing
+  double surplus_ = 0;
   std::vector<float> data_;
+  std::vector<float> content_;  // of the tip's texels, in their order, since the last refill
 };
 
 }  // namespace pentimento

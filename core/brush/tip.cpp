@@ -36,20 +36,25 @@ Tip::Tip(const BrushDefinition& brush) : extent_(tip_extent(brush.shape)) {
     levels_.emplace_back(resample_area(master, size, size));
   for (std::size_t i = 0; i < grip_.size(); ++i)
     grip_[i] = hair_grip(brush.shape, 2 * static_cast<float>(i) / kGripSteps - 1, seed);
-  if (mean_ > 0) list_texels(resample_area(master, kReservoirSide, kReservoirSide));
+  if (mean_ > 0) list_texels(resample_area(master, kReservoirColumns, kReservoirRows));
 }
 
 void Tip::list_texels(const Field<float>& map) {
-  const int n = kReservoirSide;
-  const auto centre = [&](int i) { return (static_cast<float>(i) + 0.5f) / n - 0.5f; };
-  for (int y = 0; y < n; ++y) {
-    for (int x = 0; x < n; ++x) {
+  constexpr int kColumns = kReservoirColumns, kRows = kReservoirRows;
+  const auto centre = [](int i, int n) {
+    return (static_cast<float>(i) + 0.5f) / static_cast<float>(n) - 0.5f;
+  };
+  for (int y = 0; y < kRows; ++y) {
+    for (int x = 0; x < kColumns; ++x) {
       float value = 0;
-      for (int j = std::max(0, y - 1); j <= std::min(n - 1, y + 1); ++j)
-        for (int i = std::max(0, x - 1); i <= std::min(n - 1, x + 1); ++i)
+      for (int j = std::max(0, y - 1); j <= std::min(kRows - 1, y + 1); ++j)
+        for (int i = std::max(0, x - 1); i <= std::min(kColumns - 1, x + 1); ++i)
           value = std::max(value, map(i, j));
-      if (value > 0)
-        texels_.push_back({y * n + x, centre(x), centre(y), std::min(1.0f, value / mean_)});
+      if (!(value > 0)) continue;
+      const int index = y * kColumns + x;
+      texels_.push_back(
+          {index, centre(x, kColumns), centre(y, kRows), std::min(1.0f, value / mean_)});
+      covered_[static_cast<std::size_t>(index)] = 1;
     }
   }
 }

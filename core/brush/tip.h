@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/brush/brush_settings.h"
+#include "core/brush/paint_load.h"
 #include "core/brush/tip_shapes.h"
 #include "core/field.h"
 
@@ -37,12 +38,9 @@ class TipLevel {
   Field<float> padded_;
 };
 
-/// Texels along one side of what a brush holds (reservoir.h), over the tip's square.
-inline constexpr int kReservoirSide = 40;
-
 /// A texel of the reservoir that takes part: where, and how strongly the tip touches there.
 struct TipTexel {
-  int index = 0;       // row (v) times kReservoirSide plus column (u)
+  int index = 0;       // row (v) times kReservoirColumns plus column (u)
   float u = 0, v = 0;  // its centre in tip coordinates
   float weight = 0;    // min(1, value / mean), the largest around: (0,1]
 };
@@ -65,6 +63,8 @@ class Tip {
   }
   /// The reservoir's texels that the tip covers, and those that touch them.
   const std::vector<TipTexel>& texels() const { return texels_; }
+  /// 1 for those, 0 for the others.
+  float covered(int texel) const { return covered_[static_cast<std::size_t>(texel)]; }
 
  private:
   void list_texels(const Field<float>& map);
@@ -73,6 +73,7 @@ class Tip {
   float mean_ = 0;
   TipExtent extent_;
   std::vector<TipTexel> texels_;
+  std::array<float, kReservoirTexels> covered_{};
   static constexpr int kGripSteps = 128;
   std::array<float, kGripSteps + 1> grip_{};
 };

@@ -25,15 +25,11 @@ float share_over(float frac, double lengths) {
 
 PaintLoad make_load(const Model& model, const BrushSettings& settings,
                     std::span<const float> per_amount, std::span<const float> amount) {
-  PaintLoad load;
-  load.amount.assign(amount.begin(), amount.end());
-  load.height_per_amount_m = model.film_medium_m / model.film_pigment;
-  load.paint.push_back(kFilmsHeld * model.film_medium_m * settings.medium_frac);
+  std::vector<float> paint = {kFilmsHeld * model.film_medium_m * settings.medium_frac};
   for (const float channel : per_amount)
-    load.paint.push_back(kFilmsHeld * model.film_pigment * settings.pigment_frac *
-                         model.max_pigment * channel);
-  load.content_m = load.content_of(load.paint.data());
-  return load;
+    paint.push_back(kFilmsHeld * model.film_pigment * settings.pigment_frac * model.max_pigment *
+                    channel);
+  return {paint, amount, model.film_medium_m / model.film_pigment};
 }
 
 Transfer::Transfer(CanvasState& state, BrushContact& contact, PaintAccount& account,
@@ -143,6 +139,7 @@ void Transfer::prepare(const CellBox& box, int stride) {
   grow(paint_, cells * static_cast<std::size_t>(stride));
   grow(row_paint_, rows * parts_);
   grow(row_, rows);
+  grow(touched_, rows);
   contact_.touch_rows(box.y, box.y + box.height);
 }
 
@@ -174,10 +171,14 @@ void Transfer::measure_rows(const StampPlan& plan, int begin, int end) {
     const float* depth = state_.depth_m.row(canvas_y) + plan.box.x;
     const std::uint32_t* stroke = state_.stroke.row(canvas_y) + plan.box.x;
     RowSums sums;
+    TouchedCells touched{plan.box.width, 0};
     for (int x = 0; x < plan.box.width; ++x) {
       const float s = stamp_value(level, tip.u(x), tip.v(x));
       weight_[at + static_cast<std::size_t>(x)] = s;
       touch_[at + static_cast<std::size_t>(x)] = stamp_touch(plan, s, tip.v(x));
+      if (!(s > 0)) continue;
+      touched.begin = std::min(touched.begin, x);
+      touched.end = x + 1;
       const double value = static_cast<double>(s);
       sums.value += value;
       sums.value_height += value * static_cast<double>(base[x] + depth[x]);
@@ -187,6 +188,8 @@ void Transfer::measure_rows(const StampPlan& plan, int begin, int end) {
       }
     }
     row_[static_cast<std::size_t>(y)] = sums;
+    touched_[static_cast<std::size_t>(y)] =
+        touched.end > touched.begin ? touched : TouchedCells{0, 0};
   }
 }
 
@@ -199,23 +202,36 @@ void Transfer::find_mean_height(StampPlan& plan) const {
   plan.mean_height_m = value > 0 ? height / value : 0;
 }
 
+Transfer::Strip Transfer::strip_of(const StampPlan& plan, int y) const {
+  const TouchedCells& cells = touched_[static_cast<std::size_t>(y)];
+  return {plan.box.x + cells.begin, plan.box.y + y,
+          static_cast<std::size_t>(y) * static_cast<std::size_t>(plan.box.width) +
+              static_cast<std::size_t>(cells.begin),
+          static_cast<std::size_t>(cells.end - cells.begin)};
+}
+
+float* Transfer::strip_paint(const StampPlan& plan, const Strip& strip) {
+  return paint_.data() + strip.at * static_cast<std::size_t>(plan.stride);
+}
+
+std::span<double> Transfer::strip_sums(int y) {
+  return {row_paint_.data() + static_cast<std::size_t>(y) * parts_, parts_};
+}
+
 /// Contact levelling (A22): less on bumps, more in hollows; and the lift.
 void Transfer::lift_rows(const StampPlan& plan, int begin, int end) {
-  const std::size_t width = static_cast<std::size_t>(plan.box.width);
   for (int y = begin; y < end; ++y) {
-    const int canvas_y = plan.box.y + y;
-    const std::size_t at = static_cast<std::size_t>(y) * width;
-    const float* base = state_.base_m.row(canvas_y) + plan.box.x;
-    float* depth = state_.depth_m.row(canvas_y) + plan.box.x;
+    const Strip strip = strip_of(plan, y);
+    const float* base = state_.base_m.row(strip.y) + strip.x;
+    float* depth = state_.depth_m.row(strip.y) + strip.x;
     double share = 0;
-    for (std::size_t x = 0; x < width; ++x) {
-      share_[at + x] = stamp_levelled(plan, weight_[at + x], base[x] + depth[x]);
-      share += static_cast<double>(share_[at + x]);
+    for (std::size_t i = 0; i < strip.cells; ++i) {
+      share_[strip.at + i] = stamp_levelled(plan, weight_[strip.at + i], base[i] + depth[i]);
+      share += static_cast<double>(share_[strip.at + i]);
     }
     row_[static_cast<std::size_t>(y)].share = share;
-    lift_row(plan.lift, planes_.row(plan.box.x, canvas_y), {touch_.data() + at, width}, depth,
-             paint_.data() + at * static_cast<std::size_t>(plan.stride), plan.stride,
-             {row_paint_.data() + static_cast<std::size_t>(y) * parts_, parts_});
+    lift_row(plan.lift, planes_.row(strip.x, strip.y), {touch_.data() + strip.at, strip.cells},
+             depth, strip_paint(plan, strip), plan.stride, strip_sums(y));
   }
 }
 
@@ -225,8 +241,8 @@ void Transfer::take_up(const StampPlan& plan, const BrushInHand& hand, Reservoir
   const bool lifted =
       std::any_of(paint_sum_.begin(), paint_sum_.end(), [](double sum) { return sum > 0; });
   if (lifted)
-    gather_lifted({paint_, plan.stride}, plan.pose, plan.box, state_.geometry, hand.tip, reservoir,
-                  gathered_);
+    gather_lifted({paint_, plan.stride, touched_}, plan.pose, plan.box, state_.geometry, hand.tip,
+                  reservoir);
   const double distances = static_cast<double>(plan.stamp.travel_m) /
                            static_cast<double>(kRefillDiameters * plan.pose.diameter_m);
   reservoir.refill(hand.load, hand.tip, share_over(hand.settings.refill, distances));
@@ -234,32 +250,33 @@ void Transfer::take_up(const StampPlan& plan, const BrushInHand& hand, Reservoir
 
 /// Lays the film and the surplus, mixes the layers, marks the contact.
 void Transfer::lay_rows(const StampPlan& plan, int begin, int end) {
-  const std::size_t width = static_cast<std::size_t>(plan.box.width);
   for (int y = begin; y < end; ++y) {
-    const int canvas_y = plan.box.y + y;
-    const TipRow tip = tip_row(plan.pose, plan.box, state_.geometry, canvas_y);
-    const std::size_t at = static_cast<std::size_t>(y) * width;
+    const Strip strip = strip_of(plan, y);
+    const TipRow tip = tip_row(plan.pose, plan.box, state_.geometry, strip.y);
+    float* paint = strip_paint(plan, strip);
     double returned = 0;
-    for (std::size_t x = 0; x < width; ++x) {
-      float* paint = paint_.data() + (at + x) * static_cast<std::size_t>(plan.stride);
-      const float share = share_[at + x] * plan.share_scale;
+    for (std::size_t i = 0; i < strip.cells; ++i, paint += plan.stride) {
+      const float share = share_[strip.at + i] * plan.share_scale;
       if (!(share > 0)) {
         std::fill_n(paint, plan.stride, 0.0f);
         continue;
       }
-      plan.reservoir->sample(tip.u(static_cast<int>(x)), tip.v(static_cast<int>(x)), paint);
-      const LaidContent laid = stamp_laid(plan, paint, weight_[at + x], share);
+      const int x = strip.x - plan.box.x + static_cast<int>(i);
+      plan.reservoir->sample(tip.u(x), tip.v(x), paint);
+      const LaidContent laid = stamp_laid(plan, paint, weight_[strip.at + i], share);
       for (int k = 0; k < plan.stride; ++k) paint[k] *= laid.part;
       returned += static_cast<double>(laid.returned);
     }
     row_[static_cast<std::size_t>(y)].returned = returned;
-    const LayerRow row = planes_.row(plan.box.x, canvas_y);
-    lay_paint_row(plan.lay, row, {state_.depth_m.row(canvas_y) + plan.box.x, width},
-                  state_.stroke.row(canvas_y) + plan.box.x,
-                  paint_.data() + at * static_cast<std::size_t>(plan.stride), plan.stride,
-                  {row_paint_.data() + static_cast<std::size_t>(y) * parts_, parts_});
-    mix_layers_row(plan.mix, row, {touch_.data() + at, width});
-    touch_row(plan, canvas_y, {weight_.data() + at, width});
+    const LayerRow row = planes_.row(strip.x, strip.y);
+    lay_paint_row(plan.lay, row, {state_.depth_m.row(strip.y) + strip.x, strip.cells},
+                  state_.stroke.row(strip.y) + strip.x, strip_paint(plan, strip), plan.stride,
+                  strip_sums(y));
+    mix_layers_row(plan.mix, row, {touch_.data() + strip.at, strip.cells});
+    touch_row(
+        plan, strip.y,
+        {weight_.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(plan.box.width),
+         static_cast<std::size_t>(plan.box.width)});
   }
 }
 
@@ -276,9 +293,8 @@ void Transfer::settle(const StampPlan& plan, const BrushInHand& hand, Reservoir&
   if (returned > 0) {
     const double tip_area =
         static_cast<double>(plan.pose.diameter_m) * static_cast<double>(plan.pose.diameter_m);
-    const double texels =
-        returned * state_.geometry.cell_area_m2() * kReservoirSide * kReservoirSide / tip_area;
-    const double surplus = reservoir.weighted_surplus(hand.load, hand.tip);
+    const double texels = returned * state_.geometry.cell_area_m2() * kReservoirTexels / tip_area;
+    const double surplus = reservoir.weighted_surplus();
     if (surplus > 0)
       reservoir.drop_surplus(hand.load, hand.tip,
                              static_cast<float>(std::min(1.0, texels / surplus)));

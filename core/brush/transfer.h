@@ -63,7 +63,17 @@ class Transfer {
     double returned = 0;      // content of the surplus that was laid
   };
 
+  /// The cells of a row that the tip touches.
+  struct Strip {
+    int x = 0, y = 0;    // of its first cell on the canvas
+    std::size_t at = 0;  // of that cell in the scratch
+    std::size_t cells = 0;
+  };
+
   float cell_m() const;
+  Strip strip_of(const StampPlan& plan, int y) const;
+  float* strip_paint(const StampPlan& plan, const Strip& strip);
+  std::span<double> strip_sums(int y);
   void measure_rows(const StampPlan& plan, int begin, int end);
   void lift_rows(const StampPlan& plan, int begin, int end);
   void lay_rows(const StampPlan& plan, int begin, int end);
@@ -89,14 +99,14 @@ class Transfer {
   StampObserver* observer_ = nullptr;
 
   // Scratch of one stamp, over its box.
-  std::vector<float> weight_;  // value of the tip per cell
-  std::vector<float> share_;   // the same after contact levelling
-  std::vector<float> touch_;   // how hard the hairs hold, [0,2] per cell
-  std::vector<float> paint_;   // lifted, then laid: `stride` floats per cell
-  GatherScratch gathered_;
+  std::vector<float> weight_;      // value of the tip per cell
+  std::vector<float> share_;       // the same after contact levelling
+  std::vector<float> touch_;       // how hard the hairs hold, [0,2] per cell
+  std::vector<float> paint_;       // lifted, then laid: `stride` floats per cell
   std::vector<double> row_paint_;  // `parts_` per row
   std::vector<double> paint_sum_;
   std::vector<RowSums> row_;
+  std::vector<TouchedCells> touched_;  // per row
 };
 
 }  // namespace pentimento

@@ -2,40 +2,82 @@
 
 #include <algorithm>
 
+#include "core/layers/cell_block.h"
+
 namespace pentimento {
 
 namespace {
-/// Share of the bottom layer that may leave the paper.
-float mobile_share(const LayerRow& row, int x, float residue) {
-  const float total = row.total(0, x);
-  return total > residue ? (total - residue) / total : 0.0f;
-}
-
 /// Less than this is lifted whole, before it fades into subnormal numbers, which are slow.
 constexpr float kTrace = 1e-20f;
 
-/// Takes `share` of `value`, into `taken` and, exactly, into `sum`.
-void take(float share, float& value, float& taken, double& sum) {
-  const float rest = value - share * value;
-  const float left = rest < kTrace ? 0 : rest;
-  taken += value - left;
-  sum += static_cast<double>(value) - static_cast<double>(left);
-  value = left;
+/// Takes share[i] of values[i], into the components `taken` (`stride` apart); returns the sum of
+/// what left, exactly, from four interleaved sums.
+double take(const BlockValues& share, int cells, float* values, float* taken, int stride) {
+  BlockValues gone;
+  for (int i = 0; i < cells; ++i) {
+    const float value = values[i];
+    const float rest = value - share[static_cast<std::size_t>(i)] * value;
+    const float left = rest < kTrace ? 0 : rest;
+    gone[static_cast<std::size_t>(i)] = value - left;
+    values[i] = left;
+  }
+  double lane[4] = {0, 0, 0, 0};
+  for (int i = 0; i < cells; ++i) {
+    const float g = gone[static_cast<std::size_t>(i)];
+    taken[static_cast<std::ptrdiff_t>(i) * stride] += g;
+    lane[i & 3] += static_cast<double>(g);
+  }
+  return (lane[0] + lane[1]) + (lane[2] + lane[3]);
 }
 
-void lift_cell(const Lift& lift, const LayerRow& row, int x, float share, float& depth_m,
-               float* lifted, std::span<double> sums) {
-  const int occupied = row.top(x) + 1;
-  float depth_weight = occupied == 0 ? 1.0f : 0.0f;
-  for (int layer = 0; layer < occupied; ++layer) {
-    const float reach = reach_weight(lift.reach_frac, layer, occupied);
-    depth_weight += reach / static_cast<float>(occupied);
-    const float part = share * reach * (layer == 0 ? mobile_share(row, x, lift.residue) : 1.0f);
-    if (part == 0) continue;
-    for (int c = 0; c < row.channels; ++c)
-      take(part, row.at(layer, c, x), lifted[1 + c], sums[static_cast<std::size_t>(1 + c)]);
+/// A block of cells: where it starts, and the share lifted of each where the brush reaches fully.
+struct Block {
+  int first = 0, cells = 0;
+  BlockValues share;
+};
+
+/// Lifts from one layer; adds the layer's reach to the weight of the depth.
+void lift_layer(const Lift& lift, const LayerRow& row, const Block& block,
+                const BlockTotals& totals, const std::array<int, kBlockCells>& occupied, int layer,
+                BlockValues& depth_weight, float* lifted, int stride, std::span<double> sums) {
+  BlockValues part;
+  for (int i = 0; i < block.cells; ++i) {
+    const std::size_t at = static_cast<std::size_t>(i);
+    part[at] = 0;
+    if (layer >= occupied[at] || !(block.share[at] > 0)) continue;
+    const float reach = reach_weight(lift.reach_frac, layer, occupied[at]);
+    depth_weight[at] += reach / static_cast<float>(occupied[at]);
+    part[at] = block.share[at] * reach *
+               (layer == 0 ? mobile_share(totals.total[0][at], lift.residue) : 1.0f);
   }
-  take(share * std::min(depth_weight, 1.0f), depth_m, lifted[0], sums[0]);
+  for (int c = 0; c < row.channels; ++c) {
+    float* plane = &row.at(layer, c, block.first);
+    if (any_paint(plane, block.cells))
+      sums[static_cast<std::size_t>(1 + c)] +=
+          take(part, block.cells, plane, lifted + 1 + c, stride);
+  }
+}
+
+void lift_block(const Lift& lift, const LayerRow& row, const Block& block, float* depth_m,
+                float* lifted, int stride, std::span<double> sums) {
+  BlockTotals totals;
+  totals.find(row, block.first, block.cells);
+  std::array<int, kBlockCells> occupied;
+  BlockValues depth_weight;
+  int most = 0;
+  for (int i = 0; i < block.cells; ++i) {
+    const std::size_t at = static_cast<std::size_t>(i);
+    occupied[at] = totals.top(row.layers, i) + 1;
+    most = std::max(most, occupied[at]);
+    depth_weight[at] = occupied[at] == 0 ? 1.0f : 0.0f;
+  }
+  for (int layer = 0; layer < most; ++layer)
+    lift_layer(lift, row, block, totals, occupied, layer, depth_weight, lifted, stride, sums);
+  for (int i = 0; i < block.cells; ++i) {
+    const std::size_t at = static_cast<std::size_t>(i);
+    depth_weight[at] = block.share[at] * std::min(depth_weight[at], 1.0f);
+  }
+  sums[0] += take(depth_weight, block.cells, depth_m, lifted, stride);
 }
 }  // namespace
 
@@ -49,11 +91,22 @@ float reach_weight(float reach_frac, int layer, int occupied) {
 void lift_row(const Lift& lift, const LayerRow& row, std::span<const float> weight, float* depth_m,
               float* lifted, int stride, std::span<double> sums) {
   std::fill(sums.begin(), sums.end(), 0.0);
-  for (std::size_t i = 0; i < weight.size(); ++i) {
-    float* out = lifted + static_cast<std::ptrdiff_t>(i) * stride;
-    std::fill_n(out, stride, 0.0f);
-    const float share = std::min(1.0f, lift.share_frac * weight[i]);
-    if (share > 0) lift_cell(lift, row, static_cast<int>(i), share, depth_m[i], out, sums);
+  const int cells = static_cast<int>(weight.size());
+  std::fill_n(lifted, static_cast<std::ptrdiff_t>(cells) * stride, 0.0f);
+  for (int first = 0; first < cells; first += kBlockCells) {
+    Block block;
+    block.first = first;
+    block.cells = std::min(kBlockCells, cells - first);
+    bool any = false;
+    for (int i = 0; i < block.cells; ++i) {
+      const float share =
+          std::min(1.0f, lift.share_frac * weight[static_cast<std::size_t>(first + i)]);
+      block.share[static_cast<std::size_t>(i)] = share > 0 ? share : 0;
+      any |= share > 0;
+    }
+    if (any)
+      lift_block(lift, row, block, depth_m + first,
+                 lifted + static_cast<std::ptrdiff_t>(first) * stride, stride, sums);
   }
 }
 

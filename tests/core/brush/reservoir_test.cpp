@@ -8,24 +8,26 @@
 namespace pentimento {
 namespace {
 
-PaintLoad load_of(float height_m, float amount) {
-  PaintLoad load;
-  load.paint = {height_m, amount, 0};
-  load.amount = {1, 1};
-  load.height_per_amount_m = 0.05f;
-  load.content_m = load.content_of(load.paint.data());
-  return load;
+PaintLoad load_of(float height_m, float amount, float other_amount = 0) {
+  const float paint[] = {height_m, amount, other_amount}, share[] = {1, 1};
+  return {paint, share, 0.05f};
+}
+
+constexpr int kMiddle = kReservoirColumns * (kReservoirRows / 2) + kReservoirColumns / 2;
+
+/// Filled with one paint and then no longer just as it was loaded.
+Reservoir holding(const PaintLoad& load) {
+  Reservoir reservoir(2);
+  reservoir.fill(load);
+  reservoir.dirty_texel(0);
+  return reservoir;
 }
 
 TEST(Reservoir, RefillGoesAShareOfTheWay) {
   const Tip tip(*builtin_brush("round"));
-  Reservoir reservoir(2);
-  reservoir.fill(load_of(0.002f, 0.04f));
-  PaintLoad other = load_of(0.002f, 0);
-  other.paint[2] = 0.04f;
-  other.content_m = other.content_of(other.paint.data());
-  reservoir.refill(other, tip, 0.25f);
-  const float* middle = reservoir.texel(kReservoirSide * (kReservoirSide / 2) + kReservoirSide / 2);
+  Reservoir reservoir = holding(load_of(0.002f, 0.04f));
+  reservoir.refill(load_of(0.002f, 0, 0.04f), tip, 0.25f);
+  const float* middle = reservoir.texel(kMiddle);
   EXPECT_FLOAT_EQ(middle[1], 0.03f);
   EXPECT_FLOAT_EQ(middle[2], 0.01f);
   EXPECT_FLOAT_EQ(middle[0], 0.002f);
@@ -33,32 +35,55 @@ TEST(Reservoir, RefillGoesAShareOfTheWay) {
 
 TEST(Reservoir, RefillKeepsWhatWasLiftedAsVolume) {
   const Tip tip(*builtin_brush("round"));
-  Reservoir reservoir(2);
+  Reservoir reservoir = holding(load_of(0.006f, 0.12f));  // three loads
   const PaintLoad load = load_of(0.002f, 0.04f);
-  reservoir.fill(load_of(0.006f, 0.12f));  // three loads
   reservoir.refill(load, tip, 0.5f);
-  const float* middle = reservoir.texel(kReservoirSide * (kReservoirSide / 2) + kReservoirSide / 2);
+  const float* middle = reservoir.texel(kMiddle);
   EXPECT_FLOAT_EQ(load.content_of(middle), 3 * load.content_m);
 }
 
 TEST(Reservoir, DroppingTheSurplusEndsAtTheLoad) {
   const Tip tip(*builtin_brush("round"));
-  Reservoir reservoir(2);
+  Reservoir reservoir = holding(load_of(0.006f, 0.12f));
   const PaintLoad load = load_of(0.002f, 0.04f);
-  reservoir.fill(load_of(0.006f, 0.12f));
-  EXPECT_GT(reservoir.weighted_surplus(load, tip), 0);
-  for (int i = 0; i < 4000; ++i) reservoir.drop_surplus(load, tip, 0.05f);
-  const float* middle = reservoir.texel(kReservoirSide * (kReservoirSide / 2) + kReservoirSide / 2);
+  reservoir.refill(load, tip, 0);
+  EXPECT_GT(reservoir.weighted_surplus(), 0);
+  for (int i = 0; i < 4000; ++i) {
+    reservoir.drop_surplus(load, tip, 0.05f);
+    reservoir.refill(load, tip, 0);
+  }
+  const float* middle = reservoir.texel(kMiddle);
   EXPECT_NEAR(middle[0], 0.002f, 1e-8f);
   EXPECT_NEAR(middle[1], 0.04f, 1e-7f);
 }
 
+TEST(Reservoir, HoldsSeveralPaintsSideBySide) {
+  const Tip tip(*builtin_brush("round"));
+  PaintLoad load = load_of(0.002f, 0.04f);
+  load.set_rows(load_of(0.002f, 0, 0.04f), kReservoirRows / 2, kReservoirRows);
+  Reservoir reservoir(2);
+  reservoir.fill(load);
+  std::vector<float> out(static_cast<std::size_t>(reservoir.stride()));
+  reservoir.sample(0, -0.25f, out.data());
+  EXPECT_FLOAT_EQ(out[1], 0.04f);
+  EXPECT_FLOAT_EQ(out[2], 0);
+  reservoir.sample(0, 0.25f, out.data());
+  EXPECT_FLOAT_EQ(out[1], 0);
+  EXPECT_FLOAT_EQ(out[2], 0.04f);
+  // What each side picked up gives way to its own paint.
+  float* texel = reservoir.dirty_texel(kMiddle);
+  texel[1] = 0.04f, texel[2] = 0;
+  reservoir.refill(load, tip, 0.25f);
+  EXPECT_FLOAT_EQ(texel[1], 0.03f);
+  EXPECT_FLOAT_EQ(texel[2], 0.01f);
+}
+
 TEST(Reservoir, SamplesBetweenTexels) {
   Reservoir reservoir(2);
-  reservoir.texel(0)[0] = 1;
-  reservoir.texel(1)[0] = 3;
+  reservoir.dirty_texel(0)[0] = 1;
+  reservoir.dirty_texel(1)[0] = 3;
   std::vector<float> out(static_cast<std::size_t>(reservoir.stride()));
-  reservoir.sample(1.0f / kReservoirSide - 0.5f, -0.5f, out.data());
+  reservoir.sample(1.0f / kReservoirColumns - 0.5f, -0.5f, out.data());
   EXPECT_NEAR(out[0], 2, 1e-5);
 }
 
@@ -82,14 +107,14 @@ TEST(Gather, TheBrushGainsPerAreaWhatTheCanvasLost) {
       sum[1] += static_cast<double>(lifted[i + 1]);
     }
     Reservoir reservoir(2);
-    GatherScratch scratch;
-    gather_lifted({lifted, 4}, pose, box, geometry, tip, reservoir, scratch);
+    const std::vector<TouchedCells> rows(static_cast<std::size_t>(box.height), {0, box.width});
+    gather_lifted({lifted, 4, rows}, pose, box, geometry, tip, reservoir);
     double gained[3] = {0, 0, 0};
-    for (int i = 0; i < kReservoirSide * kReservoirSide; ++i)
+    for (int i = 0; i < kReservoirTexels; ++i)
       for (int k = 0; k < 3; ++k) gained[k] += static_cast<double>(reservoir.texel(i)[k]);
-    const double texel_area = static_cast<double>(diameter_m) * static_cast<double>(diameter_m) /
-                              (kReservoirSide * kReservoirSide);
-    for (int k = 0; k < 2; ++k)  // 1600 float texels: 1e-6
+    const double texel_area =
+        static_cast<double>(diameter_m) * static_cast<double>(diameter_m) / kReservoirTexels;
+    for (int k = 0; k < 2; ++k)  // 640 float texels: 1e-6
       EXPECT_NEAR(
           gained[k] * texel_area / (sum[static_cast<std::size_t>(k)] * geometry.cell_area_m2()), 1,
           1e-6)
@@ -117,8 +142,8 @@ TEST(Gather, EveryComponentIsTreatedAlike) {
       lifted[i + 2] = lifted[i] + 2 * lifted[i + 1];
     }
     Reservoir reservoir(2);
-    GatherScratch scratch;
-    gather_lifted({lifted, 4}, pose, box, geometry, tip, reservoir, scratch);
+    const std::vector<TouchedCells> rows(static_cast<std::size_t>(box.height), {0, box.width});
+    gather_lifted({lifted, 4, rows}, pose, box, geometry, tip, reservoir);
     for (const TipTexel& t : tip.texels()) {
       const float* paint = reservoir.texel(t.index);
       EXPECT_NEAR(paint[2], paint[0] + 2 * paint[1],

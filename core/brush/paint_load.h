@@ -1,0 +1,44 @@
+#pragma once
+// What a brush is dipped into (U of R22), as the reservoir holds it: one paint, or several side by
+// side across the tip.
+
+#include <span>
+#include <vector>
+
+namespace pentimento {
+
+/// Texels of a reservoir over the tip's square: along the stroke and, finer, across it, where the
+/// streaks are told apart.
+inline constexpr int kReservoirColumns = 16;
+inline constexpr int kReservoirRows = 32;
+inline constexpr int kReservoirTexels = kReservoirColumns * kReservoirRows;
+
+struct PaintLoad {
+  PaintLoad() = default;
+  /// `paint`: height (m), then amounts per channel; `amount`: per channel its share in the total
+  /// amount (A26); `height_per_amount_m`: what an amount counts for as a height.
+  PaintLoad(std::span<const float> paint, std::span<const float> amount, float height_per_amount_m);
+
+  std::vector<float> paint;   // padded with zeros to whole fours
+  std::vector<float> weight;  // of each in the content
+  float content_m = 0;        // of `paint`
+  std::vector<float> rows;    // paint of each reservoir row; empty: `paint` everywhere
+
+  const float* row(int index) const {
+    return rows.empty() ? paint.data()
+                        : rows.data() + static_cast<std::size_t>(index) * paint.size();
+  }
+  /// The rows [begin, end) get the paint of `other`, which has as many channels and is as full.
+  void set_rows(const PaintLoad& other, int begin, int end);
+
+  /// Height plus amount as height. `paint_at` is padded like `paint`.
+  float content_of(const float* paint_at) const {
+    float lane[4] = {0, 0, 0, 0};
+    for (std::size_t k = 0; k < weight.size(); k += 4)
+      for (std::size_t i = 0; i < 4; ++i) lane[i] += weight[k + i] * paint_at[k + i];
+    return (lane[0] + lane[1]) + (lane[2] + lane[3]);
+  }
+  bool operator==(const PaintLoad&) const = default;
+};
+
+}  // namespace pentimento
