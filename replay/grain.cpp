@@ -8,7 +8,8 @@ namespace pentimento {
 
 namespace {
 constexpr int kCoarsest = 12;
-constexpr int kOctaves = 4;
+constexpr int kOctaves = 4;       // of the bumps
+constexpr int kToothOctaves = 4;  // of what only fine cells show
 
 /// Random height of a lattice point; indices wrap, so that the repeat closes.
 double lattice(int points, int i, int j) {
@@ -49,20 +50,21 @@ double height_at(const TileGrid& grid, double u, double v) {
     sum += weight * (0.5 + fade * (value - 0.5));
     total += weight;
   }
-  return sum / total;
+  for (int octave = 0; octave < kToothOctaves; ++octave, points *= 2, weight /= 2) {
+    const double cells = std::min(grid.cells_per_tile_x, grid.cells_per_tile_y) / points;
+    const double fade = std::clamp(cells - 1, 0.0, 1.0);
+    if (fade > 0) sum += weight * fade * (noise(points, u * points, v * points) - 0.5);
+  }
+  return std::clamp(sum / total, 0.0, 1.0);
 }
 }  // namespace
 
-Field<float> grain_height(const TileGrid& grid) {
-  Field<float> height(grid.width, grid.height);
-  for (int y = 0; y < grid.height; ++y) {
-    const double v = wrapped((y + 0.5) / grid.cells_per_tile_y);
-    for (int x = 0; x < grid.width; ++x) {
-      const double u = wrapped((x + 0.5) / grid.cells_per_tile_x);
-      height(x, y) = static_cast<float>(height_at(grid, u, v));
-    }
+void grain_row(const TileGrid& grid, int x, int y, std::span<float> out) {
+  const double v = wrapped((y + 0.5) / grid.cells_per_tile_y);
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    const double u = wrapped((x + static_cast<int>(i) + 0.5) / grid.cells_per_tile_x);
+    out[i] = static_cast<float>(height_at(grid, u, v));
   }
-  return height;
 }
 
 }  // namespace pentimento

@@ -4,6 +4,8 @@
 // over its cell, so that threads finer than a cell vanish instead of beating with the grid. Reaches
 // the state: own arithmetic only.
 
+#include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -18,6 +20,17 @@ namespace pentimento {
 /// linen (fine, uneven threads), canvas (coarse, even), paper (cold-pressed grain), smooth.
 std::vector<std::string> builtin_papers();
 bool is_builtin_paper(const std::string& name);
+
+/// The relief on a grid that is never held whole.
+class PaperRows {
+ public:
+  virtual ~PaperRows() = default;
+  /// Height in metres of the cells [x, x + out.size()) of row y. From any thread.
+  virtual void row(int x, int y, std::span<float> out) const = 0;
+};
+/// Errors: those of the picture file.
+Result<std::unique_ptr<PaperRows>> paper_rows(const log::PaperSpec& paper,
+                                              const CanvasGeometry& geometry, LogFiles& files);
 
 /// Height in metres of each cell, 0..relief_m. One repeat of the texture is a square of
 /// `paper.scale_m` (a picture: its width; its height follows). Errors: those of the picture file.

@@ -12,15 +12,9 @@ namespace {
 constexpr double kPi = 3.14159265358979323846;
 constexpr int kMeanSamples = 16;
 
-enum class Side { kWarp, kWeft };
+}  // namespace
 
-/// Along one axis: `body` is how far a thread of this direction stands out, `sway` the same with
-/// the sign of the thread, `wave` how the threads across it go over and under.
-struct Profile {
-  double body = 0, sway = 0, wave = 0;
-};
-
-Profile profile_at(const WeaveShape& shape, Side side, double u) {
+Weave::Profile Weave::profile_at(const WeaveShape& shape, Side side, double u) {
   const double whole = u - static_cast<double>(static_cast<std::int64_t>(u));
   const double along = whole * shape.threads;
   const int thread = std::min(static_cast<int>(along), shape.threads - 1);
@@ -32,9 +26,8 @@ Profile profile_at(const WeaveShape& shape, Side side, double u) {
   return {thickness * s * s, sign * thickness * s * s, sign * s};
 }
 
-/// The mean profile of each cell along an axis.
-std::vector<Profile> cell_means(const WeaveShape& shape, Side side, int cells,
-                                double cells_per_tile) {
+std::vector<Weave::Profile> Weave::cell_means(const WeaveShape& shape, Side side, int cells,
+                                              double cells_per_tile) {
   const double threads_per_cell = shape.threads / cells_per_tile;
   const int samples = kMeanSamples * (1 + static_cast<int>(std::min(threads_per_cell, 1e4)));
   std::vector<Profile> means(static_cast<std::size_t>(cells));
@@ -49,24 +42,18 @@ std::vector<Profile> cell_means(const WeaveShape& shape, Side side, int cells,
   }
   return means;
 }
-}  // namespace
+Weave::Weave(const WeaveShape& shape, const TileGrid& grid)
+    : columns_(cell_means(shape, Side::kWarp, grid.width, grid.cells_per_tile_x)),
+      rows_(cell_means(shape, Side::kWeft, grid.height, grid.cells_per_tile_y)) {}
 
-Field<float> weave_height(const WeaveShape& shape, const TileGrid& grid) {
-  const std::vector<Profile> columns =
-      cell_means(shape, Side::kWarp, grid.width, grid.cells_per_tile_x);
-  const std::vector<Profile> rows =
-      cell_means(shape, Side::kWeft, grid.height, grid.cells_per_tile_y);
-  Field<float> height(grid.width, grid.height);
-  for (int y = 0; y < grid.height; ++y) {
-    const Profile& v = rows[static_cast<std::size_t>(y)];
-    for (int x = 0; x < grid.width; ++x) {
-      const Profile& u = columns[static_cast<std::size_t>(x)];
-      const double warp = u.body + u.sway * v.wave;
-      const double weft = v.body - v.sway * u.wave;
-      height(x, y) = static_cast<float>(std::clamp((warp + weft) / 2, 0.0, 1.0));
-    }
+void Weave::row(int x, int y, std::span<float> out) const {
+  const Profile& v = rows_[static_cast<std::size_t>(y)];
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    const Profile& u = columns_[static_cast<std::size_t>(x) + i];
+    const double warp = u.body + u.sway * v.wave;
+    const double weft = v.body - v.sway * u.wave;
+    out[i] = static_cast<float>(std::clamp((warp + weft) / 2, 0.0, 1.0));
   }
-  return height;
 }
 
 }  // namespace pentimento

@@ -2,7 +2,8 @@
 // A plain weave, one over, one under: the height of woven cloth in 0..1 as a periodic function of
 // the unit square. Reaches the state: own arithmetic only.
 
-#include "core/field.h"
+#include <span>
+#include <vector>
 
 namespace pentimento {
 
@@ -24,6 +25,23 @@ struct TileGrid {
 ///   height(u, v) = [q p(u) (1 + s(v) c(u)) + q p(v) (1 - s(u) c(v))] / 2, c = +-1 by thread
 /// Every term is a product of a function of u and one of v, so cell means are products of means
 /// along a row and along a column, taken with kMeanSamples midpoints per thread or more.
-Field<float> weave_height(const WeaveShape& shape, const TileGrid& grid);
+class Weave {
+ public:
+  Weave(const WeaveShape& shape, const TileGrid& grid);
+  /// Height of the cells [x, x + out.size()) of row y.
+  void row(int x, int y, std::span<float> out) const;
+
+ private:
+  /// Along one axis: `body` is how far a thread of this direction stands out, `sway` the same with
+  /// the sign of the thread, `wave` how the threads across it go over and under.
+  struct Profile {
+    double body = 0, sway = 0, wave = 0;
+  };
+  enum class Side { kWarp, kWeft };
+  static Profile profile_at(const WeaveShape& shape, Side side, double u);
+  static std::vector<Profile> cell_means(const WeaveShape& shape, Side side, int cells,
+                                         double cells_per_tile);
+  std::vector<Profile> columns_, rows_;  // mean profile of each cell along an axis
+};
 
 }  // namespace pentimento

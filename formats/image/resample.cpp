@@ -132,6 +132,10 @@ Axis tiled_axis(int tile, int cells, double cells_per_tile) {
   return axis;
 }
 
+Axis sized_axis(int source, int target) {
+  return fitted_axis(target < source ? Kind::kArea : Kind::kLinear, source, target);
+}
+
 }  // namespace
 
 Field<float> resample_area(FieldView<const float> source, int width, int height) {
@@ -148,10 +152,7 @@ Field<float> resample_bicubic(FieldView<const float> source, int width, int heig
 
 Field<float> resample_to(FieldView<const float> source, int width, int height) {
   PENTIMENTO_CHECK(!source.empty() && width > 0 && height > 0);
-  const Kind across = width < source.width() ? Kind::kArea : Kind::kLinear;
-  const Kind down = height < source.height() ? Kind::kArea : Kind::kLinear;
-  return apply(source, fitted_axis(across, source.width(), width),
-               fitted_axis(down, source.height(), height));
+  return apply(source, sized_axis(source.width(), width), sized_axis(source.height(), height));
 }
 
 Field<float> sample_tiled(FieldView<const float> tile, int width, int height,
@@ -160,6 +161,44 @@ Field<float> sample_tiled(FieldView<const float> tile, int width, int height,
   PENTIMENTO_CHECK(cells_per_tile_x > 0 && cells_per_tile_y > 0);
   return apply(tile, tiled_axis(tile.width(), width, cells_per_tile_x),
                tiled_axis(tile.height(), height, cells_per_tile_y));
+}
+
+struct PictureRows::Plan {
+  Field<float> source;
+  Axis across, down;
+};
+
+PictureRows PictureRows::fitted(Field<float> picture, int width, int height) {
+  PENTIMENTO_CHECK(!picture.empty() && width > 0 && height > 0);
+  Axis across = sized_axis(picture.width(), width), down = sized_axis(picture.height(), height);
+  return PictureRows(
+      std::make_shared<Plan>(Plan{std::move(picture), std::move(across), std::move(down)}));
+}
+
+PictureRows PictureRows::tiled(Field<float> tile, int width, int height, double cells_per_tile_x,
+                               double cells_per_tile_y) {
+  PENTIMENTO_CHECK(!tile.empty() && width > 0 && height > 0);
+  PENTIMENTO_CHECK(cells_per_tile_x > 0 && cells_per_tile_y > 0);
+  Axis across = tiled_axis(tile.width(), width, cells_per_tile_x);
+  Axis down = tiled_axis(tile.height(), height, cells_per_tile_y);
+  return PictureRows(
+      std::make_shared<Plan>(Plan{std::move(tile), std::move(across), std::move(down)}));
+}
+
+void PictureRows::row(int x, int y, std::span<float> out) const {
+  const Taps& rows = plan_->down[static_cast<std::size_t>(y)];
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    const Taps& columns = plan_->across[static_cast<std::size_t>(x) + i];
+    float value = 0;
+    for (std::size_t r = 0; r < rows.index.size(); ++r) {
+      const float* in = plan_->source.row(rows.index[r]);
+      float sum = 0;
+      for (std::size_t c = 0; c < columns.index.size(); ++c)
+        sum += columns.weight[c] * in[columns.index[c]];
+      value += rows.weight[r] * sum;
+    }
+    out[i] = value;
+  }
 }
 
 }  // namespace pentimento

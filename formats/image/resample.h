@@ -3,6 +3,9 @@
 // only + - * / and comparisons in a fixed order, so the result is the same bits everywhere. Pixel
 // centres lie at half integers; a plane covers the unit square whatever its size.
 
+#include <memory>
+#include <span>
+
 #include "core/field.h"
 
 namespace pentimento {
@@ -26,5 +29,21 @@ Field<float> resample_to(FieldView<const float> source, int width, int height);
 /// over the cell where it is reduced.
 Field<float> sample_tiled(FieldView<const float> tile, int width, int height,
                           double cells_per_tile_x, double cells_per_tile_y);
+
+/// The same row by row, for grids that are never held whole: a picture fitted to a grid as
+/// resample_to does, or laid as tiles as sample_tiled does, in the same bits.
+class PictureRows {
+ public:
+  static PictureRows fitted(Field<float> picture, int width, int height);
+  static PictureRows tiled(Field<float> tile, int width, int height, double cells_per_tile_x,
+                           double cells_per_tile_y);
+  /// Values of the cells [x, x + out.size()) of row y of the grid. From any thread.
+  void row(int x, int y, std::span<float> out) const;
+
+ private:
+  struct Plan;
+  explicit PictureRows(std::shared_ptr<const Plan> plan) : plan_(std::move(plan)) {}
+  std::shared_ptr<const Plan> plan_;
+};
 
 }  // namespace pentimento
