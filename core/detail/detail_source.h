@@ -1,0 +1,34 @@
+#pragma once
+// The detail canvas as a canvas to be shaded, dumped and compared.
+
+#include "core/canvas_source.h"
+#include "core/detail/detail_canvas.h"
+
+namespace pentimento {
+
+/// `canvas` and `guide` outlive it and do not change while it is read. Depth, pigments, base and
+/// reflectance are the detail canvas's own; velocities are the guide's, interpolated as the
+/// transport does; stroke ids are those of the guide's cells.
+class DetailSource final : public CanvasSource {
+ public:
+  DetailSource(const DetailCanvas& canvas, const CanvasState& guide);
+
+  const CanvasGeometry& geometry() const override { return geometry_; }
+  int layers() const override { return canvas_.layers(); }
+  int channels() const override { return canvas_.channels(); }
+  int bands() const override { return canvas_.bands(); }
+  std::int64_t step() const override { return guide_.step; }
+  void read(PlaneId plane, int x, int y, std::span<float> out) const override;
+  void read_strokes(int x, int y, std::span<std::uint32_t> out) const override;
+  bool empty(const CellWindow& window) const override;
+
+ private:
+  void read_tiles(PlaneId plane, int x, int y, std::span<float> out) const;
+  void read_velocity(PlaneKind kind, int x, int y, std::span<float> out) const;
+
+  const DetailCanvas& canvas_;
+  const CanvasState& guide_;
+  CanvasGeometry geometry_;
+};
+
+}  // namespace pentimento
