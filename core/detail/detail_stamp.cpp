@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/detail/open_cells.h"
+
 namespace pentimento {
 
 namespace {
@@ -67,7 +69,7 @@ void DetailStamp::lay(const StampPlan& plan, const CanvasState& guide) {
   threads_.for_ranges(0, static_cast<int>(parts_.size()), 1, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {
       open_part(plan, guide, parts_[at(i)]);
-      lay_part(plan, guide, parts_[at(i)]);
+      lay_part(plan, parts_[at(i)]);
     }
   });
 }
@@ -165,32 +167,31 @@ void DetailStamp::note_layers(const StampPlan& plan, const CanvasState& guide, P
   }
 }
 
-/// Opens whole blocks, the part of them in this tile being all of them.
+/// In blocks that the guide has just opened every cell waits to be touched.
 void DetailStamp::open_part(const StampPlan& plan, const CanvasState& guide, Part& part) {
-  const int k = canvas_.layout().factor(), side = canvas_.layout().side();
+  const int k = canvas_.layout().factor();
   const int first = part.x0 / k;
   const int columns = (part.x1 - 1) / k - first + 1;
   for (int by = part.y0 / k; by * k < part.y1; ++by) {
     for (int bx = first; bx < first + columns; ++bx) {
       const std::size_t block = at((by - part.y0 / k) * columns + bx - first);
-      if (part.target[block] >= 0 || guide.stroke(bx, by) != plan.stroke_id) continue;
-      const LayerOpening& opening = part.opening[block];
-      part.target[block] = static_cast<std::int8_t>(opening.target);
-      for (int y = by * k; y < (by + 1) * k; ++y) {
-        const LayerRow row{part.planes,
-                           static_cast<std::ptrdiff_t>(y % side) * side + bx * k % side,
-                           canvas_.layers(), static_cast<int>(part.channels.size()), part.amount};
-        for (int x = 0; x < k; ++x) open_fine(opening, row, x);
+      if (guide.stroke(bx, by) != plan.stroke_id) {
+        part.target[block] = kOpens;
+      } else if (part.target[block] == kOpens) {
+        part.target[block] = static_cast<std::int8_t>(part.opening[block].target);
+        await_touch(canvas_, part.tile, bx, by, part.opening[block]);
       }
     }
   }
 }
 
-void DetailStamp::lay_part(const StampPlan& plan, const CanvasState& guide, Part& part) {
-  const int k = canvas_.layout().factor(), side = canvas_.layout().side();
+void DetailStamp::lay_part(const StampPlan& plan, Part& part) {
+  const DetailLayout& layout = canvas_.layout();
+  const int k = layout.factor(), side = layout.side();
+  DetailTile& tile = *canvas_.find(part.tile);
   const int first = part.x0 / k, columns = (part.x1 - 1) / k - first + 1;
   const std::size_t width = at(part.width());
-  float* depth_plane = canvas_.find(part.tile)->depth_m.data();
+  float* depth_plane = tile.depth_m.data();
   std::vector<float> paint(at(plan.stride));
   for (int y = part.y0; y < part.y1; ++y) {
     const TipRow tip = tip_row(plan.pose, box_, fine_, y);
@@ -201,7 +202,8 @@ void DetailStamp::lay_part(const StampPlan& plan, const CanvasState& guide, Part
       const float share = part.share[line + at(x)];
       const int bx = (part.x0 + x) / k;
       const int target = part.target[at((y / k - part.y0 / k) * columns + bx - first)];
-      if (!(share > 0) || target < 0 || guide.stroke(bx, y / k) != plan.stroke_id) continue;
+      if (!(share > 0) || target == kOpens) continue;
+      open_cell(tile, layout, row, part.x0 + x, y, x);
       const int in_box = part.x0 - box_.x + x;
       plan.reservoir->sample(tip.u(in_box), tip.v(in_box), paint.data());
       float part_laid = stamp_laid(plan, paint.data(), part.value[line + at(x)], share).part;

@@ -20,7 +20,8 @@ class DetailStamp {
 
   /// Lifts, as the guide just did, and remembers what its layers are before it lays.
   void lift(const StampPlan& plan, const CanvasState& guide);
-  /// Opens layers where the guide did, lays and mixes; the guide has done so.
+  /// Opens layers in blocks where the guide did, as far as the tip touches, lays and mixes; the
+  /// guide has done so.
   void lay(const StampPlan& plan, const CanvasState& guide);
   /// Tiles under the last stamp.
   const std::vector<int>& tiles() const { return tiles_; }
@@ -45,7 +46,7 @@ class DetailStamp {
   void lift_part(const StampPlan& plan, Part& part);
   void note_layers(const StampPlan& plan, const CanvasState& guide, Part& part);
   void open_part(const StampPlan& plan, const CanvasState& guide, Part& part);
-  void lay_part(const StampPlan& plan, const CanvasState& guide, Part& part);
+  void lay_part(const StampPlan& plan, Part& part);
 
   DetailCanvas& canvas_;
   CanvasGeometry fine_;

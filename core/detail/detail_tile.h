@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/detail/block_layers.h"
 #include "core/detail/detail_layout.h"
 
 namespace pentimento {
@@ -27,6 +28,15 @@ class TilePlane {
   std::unique_ptr<float[]> data_;
 };
 
+/// Which fine cells have followed their guide cell in opening a layer for its stroke. A stroke's
+/// edge runs through blocks: cells that its tip does not touch keep their layers as they are.
+struct OpenCells {
+  std::vector<std::uint8_t> opened;   // per fine cell, side x side
+  std::vector<LayerOpening> opening;  // per block: what opening its cells does
+  std::vector<std::uint8_t> tangled;  // per block: layers no longer correspond to the guide's
+  bool empty() const { return opened.empty(); }
+};
+
 struct DetailTile {
   DetailTile(int index, const GuideBox& covers, int planes) : tile(index), box(covers) {
     pigment.resize(static_cast<std::size_t>(planes));
@@ -35,6 +45,7 @@ struct DetailTile {
   GuideBox box;  // of the guide
   TilePlane depth_m;
   std::vector<TilePlane> pigment;      // [layer * channels + channel]
+  OpenCells open;                      // empty: all are open
   TilePlane base_m;                    // paper and dried paint
   std::vector<TilePlane> reflectance;  // of the dry layer, per band; absent: fresh ground
 };

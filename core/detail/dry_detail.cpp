@@ -52,6 +52,7 @@ void dry_tile(const DetailCanvas& canvas, DetailTile& tile, const ChannelBasis& 
     copy(small.reflectance[band].view(), view_of(tile.reflectance[band], side));
   tile.depth_m.free();
   for (TilePlane& plane : tile.pigment) plane.free();
+  tile.open = {};
 }
 }  // namespace
 

@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "core/detail/detail_canvas.h"
@@ -24,13 +23,14 @@ struct LockStatistics {
 
 class Lock {
  public:
-  explicit Lock(const DetailLayout& layout)
-      : ratio_(layout.guide().width, layout.guide().height, 1.0f) {}
+  Lock(const DetailLayout& layout, int layers);
 
   /// Locks the tiles (ascending, each once) to the guide; the others are locked already.
   ///   3 times: r = guide / block mean, within [1/4, 4], 1 where either is 0; value *= bilinear r
   ///   then value *= guide / block mean, whatever that is; blocks that owe more than 16 times what
   ///   they hold are filled (owed_blocks.h)
+  /// per layer of a pigment; of its sum over layers, the same ratio for all, where the layers do
+  /// not correspond (open_cells.h).
   /// Scheme: multiplicative, so nothing becomes negative and bare cells stay bare.
   /// Stable: the last ratio is exact; the first are bounded.
   /// Source: docs/fidelity.md. Departs from it: tiles outside the list count as ratio 1.
@@ -40,14 +40,15 @@ class Lock {
   const LockStatistics& statistics() const { return statistics_; }
 
  private:
-  void lock_plane(DetailCanvas& canvas, const CanvasState& guide, const WetPlane& q,
-                  const std::vector<int>& tiles, const Threads& threads);
-  bool find_ratios(DetailCanvas& canvas, const CanvasState& guide, const WetPlane& q,
-                   const std::vector<int>& tiles, const Threads& threads, bool count);
-  void make_exact(DetailCanvas& canvas, const CanvasState& guide, const WetPlane& q,
-                  const std::vector<int>& tiles, const Threads& threads);
+  /// What is locked together: the depth alone, or one pigment in all its layers.
+  using Group = std::vector<WetPlane>;
+  struct Job;
+  void lock_group(const Job& job, const Group& group);
+  bool find_ratios(const Job& job, const Group& group, bool count);
+  void make_exact(const Job& job, const Group& group);
 
-  Field<float> ratio_;  // of the guide's size; 1 between calls
+  std::vector<Field<float>> ratio_;  // per plane of a group, of the guide's size; 1 between calls
+  std::vector<std::vector<std::uint8_t>> split_;  // per tile: blocks whose layers differ
   std::vector<std::uint8_t> off_;
   std::vector<LockStatistics> counted_;
   std::vector<std::vector<OwedBlock>> owed_;

@@ -12,6 +12,7 @@ namespace pentimento {
 /// A block, what it must hold on average, and the fine cells it gets.
 struct OwedBlock {
   int x = 0, y = 0;  // of the guide
+  int plane = 0;     // which of those locked together
   float mean = 0;
   std::vector<float> value;  // factor x factor, filled by fill_owed
 };

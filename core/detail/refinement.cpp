@@ -32,7 +32,7 @@ Refinement::Refinement(RefinementSetup setup, const DetailGround& ground, const 
       canvas_(DetailLayout(setup_.guide, setup_.factor), setup_.layers, setup_.channels,
               setup_.bands, ground),
       stamp_(canvas_, setup_.amount, threads),
-      lock_(canvas_.layout()),
+      lock_(canvas_.layout(), setup_.layers),
       edges_(setup_.guide, setup_.layers),
       changed_(static_cast<std::size_t>(canvas_.layout().tiles()), 0) {}
 

@@ -109,16 +109,24 @@ inline double block_mean(const DetailCanvas& canvas, const WetPlane& q, int x, i
   return sum / (k * k);
 }
 
-/// How far the detail, reduced, is from the guide: relative L2.
+/// How far the detail, reduced, is from the guide, relative L2: depth (-1) or a channel, summed
+/// over its layers.
 inline double reduced_difference(const DetailCanvas& canvas, const CanvasState& guide,
-                                 const WetPlane& q) {
+                                 int channel) {
+  std::vector<WetPlane> planes;
+  for (int layer = 0; layer < guide.layers; ++layer)
+    planes.push_back(WetPlane{layer * guide.channels + channel});
+  if (channel < 0) planes = {WetPlane{}};
   double difference = 0, size = 0;
   for (int y = 0; y < guide.geometry.height; ++y) {
     for (int x = 0; x < guide.geometry.width; ++x) {
-      const double g = static_cast<double>(q.of(guide)(x, y));
-      const double off = block_mean(canvas, q, x, y) - g;
-      difference += off * off;
-      size += g * g;
+      double wanted = 0, held = 0;
+      for (const WetPlane& q : planes) {
+        wanted += static_cast<double>(q.of(guide)(x, y));
+        held += block_mean(canvas, q, x, y);
+      }
+      difference += (held - wanted) * (held - wanted);
+      size += wanted * wanted;
     }
   }
   return size > 0 ? std::sqrt(difference / size) : std::sqrt(difference);

@@ -1,0 +1,21 @@
+#pragma once
+// The edge of a stroke inside a block. The guide opens a layer for a whole cell at once; of the
+// fine cells only those that the tip touches follow, each when it is touched, so that a stroke over
+// other strokes has an edge of its own instead of the guide's staircase.
+
+#include "core/detail/detail_canvas.h"
+
+namespace pentimento {
+
+/// The guide has opened its cell (x, y) for another stroke: the cells of the block wait.
+void await_touch(DetailCanvas& canvas, int tile, int x, int y, const LayerOpening& opening);
+
+/// Opens the fine cell (x, y) of the canvas, cell `cell` of `row`, unless it is open.
+void open_cell(DetailTile& tile, const DetailLayout& layout, const LayerRow& row, int x, int y,
+               int cell);
+
+/// Whether the layers of all cells of the block (x, y) correspond to the guide's: if not, only the
+/// sums over layers do.
+bool layers_correspond(const DetailTile& tile, const DetailLayout& layout, int x, int y);
+
+}  // namespace pentimento

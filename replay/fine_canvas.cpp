@@ -1,0 +1,47 @@
+#include "replay/fine_canvas.h"
+
+#include <utility>
+
+namespace pentimento {
+
+namespace {
+RefinementSetup setup_of(const Simulation& simulation, int factor) {
+  const CanvasState& state = simulation.state();
+  RefinementSetup setup;
+  setup.guide = state.geometry;
+  setup.factor = factor;
+  setup.layers = state.layers;
+  setup.channels = state.channels;
+  setup.bands = state.bands;
+  const auto& amount = simulation.basis().amount;
+  setup.amount.assign(amount.begin(), amount.end());
+  return setup;
+}
+}  // namespace
+
+Result<std::unique_ptr<FineCanvas>> FineCanvas::follow(Simulation& simulation, int factor,
+                                                       const log::PaperSpec& paper, LogFiles& files,
+                                                       const Threads& threads) {
+  const CanvasGeometry fine = DetailLayout(simulation.state().geometry, factor).fine();
+  Result<std::unique_ptr<PaperRows>> rows = paper_rows(paper, fine, files);
+  if (!rows) return rows.error();
+  auto ground = std::make_unique<FineGround>(std::move(*rows), paper, fine);
+  std::unique_ptr<FineCanvas> canvas(
+      new FineCanvas(simulation, factor, std::move(ground), threads));
+  simulation.set_follower(&canvas->refinement_);
+  canvas->refinement_.restored(simulation.state());
+  return canvas;
+}
+
+FineCanvas::FineCanvas(Simulation& simulation, int factor, std::unique_ptr<FineGround> ground,
+                       const Threads& threads)
+    : simulation_(simulation),
+      ground_(std::move(ground)),
+      refinement_(setup_of(simulation, factor), *ground_, threads),
+      source_(refinement_.canvas(), simulation.state()) {}
+
+FineCanvas::~FineCanvas() {
+  simulation_.set_follower(nullptr);
+}
+
+}  // namespace pentimento

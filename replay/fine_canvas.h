@@ -1,0 +1,41 @@
+#pragma once
+// The detail canvas of a replay: its ground from the log's paper and pictures, its refinement in
+// step with the simulation, and itself as what is shaded and dumped.
+
+#include <memory>
+
+#include "core/detail/detail_source.h"
+#include "core/detail/refinement.h"
+#include "core/result.h"
+#include "core/simulation.h"
+#include "formats/log/events.h"
+#include "replay/fine_ground.h"
+#include "replay/log_files.h"
+
+namespace pentimento {
+
+class FineCanvas {
+ public:
+  /// Follows `simulation`, which it does not outlive, from its present state on. Errors: those of
+  /// the paper's picture.
+  static Result<std::unique_ptr<FineCanvas>> follow(Simulation& simulation, int factor,
+                                                    const log::PaperSpec& paper, LogFiles& files,
+                                                    const Threads& threads);
+  ~FineCanvas();
+
+  const CanvasSource& source() const { return source_; }
+  const Refinement& refinement() const { return refinement_; }
+  /// Told of a picture before the simulation loads it.
+  FineGround& ground() { return *ground_; }
+
+ private:
+  FineCanvas(Simulation& simulation, int factor, std::unique_ptr<FineGround> ground,
+             const Threads& threads);
+
+  Simulation& simulation_;
+  std::unique_ptr<FineGround> ground_;
+  Refinement refinement_;
+  DetailSource source_;
+};
+
+}  // namespace pentimento

@@ -1,0 +1,34 @@
+#include "replay/fine_ground.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace pentimento {
+
+FineGround::FineGround(std::unique_ptr<PaperRows> paper, const log::PaperSpec& spec,
+                       const CanvasGeometry& fine)
+    : paper_(std::move(paper)), fine_(fine) {
+  for (const double r : spec.reflectance) reflectance_.push_back(static_cast<float>(r));
+}
+
+void FineGround::relief_row(int x, int y, std::span<float> out) const {
+  paper_->row(x, y, out);
+}
+
+void FineGround::reflectance_row(int band, int x, int y, std::span<float> out) const {
+  const auto index = static_cast<std::size_t>(band);
+  if (picture_.empty()) {
+    std::fill(out.begin(), out.end(), reflectance_[index]);
+    return;
+  }
+  picture_[index].row(x, y, out);
+  for (float& r : out) r = std::clamp(r, 0.0f, 1.0f);
+}
+
+void FineGround::load(std::vector<Field<float>> bands) {
+  picture_.clear();
+  for (Field<float>& band : bands)
+    picture_.push_back(PictureRows::fitted(std::move(band), fine_.width, fine_.height));
+}
+
+}  // namespace pentimento
