@@ -7,6 +7,7 @@
 #include <span>
 
 #include "core/canvas_state.h"
+#include "core/result.h"
 
 namespace pentimento {
 
@@ -59,6 +60,8 @@ class CanvasSource {
     static_cast<void>(window);
     return false;
   }
+  /// Ok, or why a read() could not be done; it gave zeros then.
+  virtual Result<void> status() const { return {}; }
 };
 
 /// Dense planes. `state` outlives it and does not change while it is read.

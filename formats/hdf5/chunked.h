@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "core/canvas_source.h"
 #include "core/threads.h"
 
 namespace pentimento::hdf5 {
@@ -18,8 +19,13 @@ namespace pentimento::hdf5 {
 /// three) is a row, and the axis before it the row within a plane.
 struct RowSource {
   std::vector<std::uint64_t> shape;  // (ny, nx), (ny, nx, bands) or (layers, channels, ny, nx)
-  /// Copies row `row` (counted through all planes). Called from several threads.
-  std::function<void(std::int64_t row, std::span<std::uint32_t> out)> copy;
+  /// Copies values of row `row` (counted through all planes) from cell x on; a cell has several
+  /// values where the shape has three axes. Called from several threads.
+  std::function<void(std::int64_t row, int x, std::span<std::uint32_t> out)> copy;
+  /// Cells along a chunk's side; 0: chunks of whole rows.
+  std::uint64_t chunk_side = 0;
+  /// May say of a part of a plane that all its values are zero bits, to save reading them.
+  std::function<bool(const CellWindow&)> zero;
 };
 
 /// Creates and fills the dataset `name` of type `type` (4 bytes, native). Chunks of nothing but

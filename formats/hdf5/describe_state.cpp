@@ -18,7 +18,7 @@ std::string number_text(double value) {
 /// The root's attributes, then those of /provenance that it does not have.
 Provenance all_notes(hid_t file, hid_t root) {
   Provenance notes = hdf5::text_attributes(root);
-  for (const char* name : {"step", "format_version"})
+  for (const char* name : {"step", "format_version", "detail"})
     if (const auto value = hdf5::whole_attribute(root, name))
       notes.emplace_back(name, std::to_string(*value));
   for (const char* name : {"canvas_width_m", "canvas_height_m", "time_s", "steps_per_second"})
@@ -53,7 +53,7 @@ Result<FileDescription> describe_here(const std::string& path) {
 }  // namespace
 
 Result<FileDescription> describe_state(const std::string& path) {
-  const Result<void> survived = hdf5::rehearse(path, [&] { (void)describe_here(path).ok(); });
+  const Result<bool> survived = hdf5::rehearse(path, [&] { return describe_here(path).ok(); });
   if (!survived) return survived.error();
   return describe_here(path);
 }

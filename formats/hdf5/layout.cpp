@@ -79,22 +79,27 @@ void copy_reflectance(const CanvasSource& canvas, int x, int y, std::span<std::u
 
 }  // namespace
 
-std::vector<std::uint64_t> shape_of(const CanvasSource& canvas, const CanvasDataset& dataset) {
-  const auto ny = static_cast<std::uint64_t>(canvas.geometry().height);
-  const auto nx = static_cast<std::uint64_t>(canvas.geometry().width);
+CanvasShape shape_of(const CanvasSource& canvas) {
+  return {canvas.geometry().width, canvas.geometry().height, canvas.layers(), canvas.channels(),
+          canvas.bands()};
+}
+
+std::vector<std::uint64_t> shape_of(const CanvasShape& canvas, const CanvasDataset& dataset) {
+  const auto ny = static_cast<std::uint64_t>(canvas.height);
+  const auto nx = static_cast<std::uint64_t>(canvas.width);
   switch (kind_of(dataset)) {
     case Kind::kReflectance:
-      return {ny, nx, static_cast<std::uint64_t>(canvas.bands())};
+      return {ny, nx, static_cast<std::uint64_t>(canvas.bands)};
     case Kind::kPigment:
-      return {static_cast<std::uint64_t>(canvas.layers()),
-              static_cast<std::uint64_t>(canvas.channels()), ny, nx};
+      return {static_cast<std::uint64_t>(canvas.layers),
+              static_cast<std::uint64_t>(canvas.channels), ny, nx};
     default:
       return {ny, nx};
   }
 }
 
-int cell_values(const CanvasSource& canvas, const CanvasDataset& dataset) {
-  return kind_of(dataset) == Kind::kReflectance ? canvas.bands() : 1;
+int cell_values(const CanvasShape& canvas, const CanvasDataset& dataset) {
+  return kind_of(dataset) == Kind::kReflectance ? canvas.bands : 1;
 }
 
 std::int64_t row_count(const CanvasSource& canvas, const CanvasDataset& dataset) {

@@ -34,11 +34,18 @@ inline constexpr std::array<CanvasDataset, 9> kCanvasDatasets = {{
     {"/fluid/height", "m", "height of the surface: base + depth", false, true},
 }};
 
-/// Shape of a dataset of `canvas`.
-std::vector<std::uint64_t> shape_of(const CanvasSource& canvas, const CanvasDataset& dataset);
+/// The measures that all shapes follow from.
+struct CanvasShape {
+  int width = 0, height = 0;  // cells
+  int layers = 0, channels = 0, bands = 0;
+};
+CanvasShape shape_of(const CanvasSource& canvas);
+
+/// Shape of a dataset of a canvas.
+std::vector<std::uint64_t> shape_of(const CanvasShape& canvas, const CanvasDataset& dataset);
 
 /// Values of 4 bytes that a cell has in each row.
-int cell_values(const CanvasSource& canvas, const CanvasDataset& dataset);
+int cell_values(const CanvasShape& canvas, const CanvasDataset& dataset);
 /// Rows of the whole dataset: `row` counts through all planes, top to bottom, plane after plane.
 std::int64_t row_count(const CanvasSource& canvas, const CanvasDataset& dataset);
 
@@ -46,6 +53,12 @@ std::int64_t row_count(const CanvasSource& canvas, const CanvasDataset& dataset)
 /// interleaved); `out` holds whole cells.
 void copy_cells(const CanvasSource& canvas, const CanvasDataset& dataset, std::int64_t row, int x,
                 std::span<std::uint32_t> out);
+/// Neither infinite nor NaN, of the bits of a float.
+constexpr bool is_finite(std::uint32_t bits) {
+  constexpr std::uint32_t kExponent = 0x7F800000u;
+  return (bits & kExponent) != kExponent;
+}
+
 /// A whole row the other way. Not for derived datasets.
 void store_row(CanvasState& state, const CanvasDataset& dataset, std::int64_t row,
                std::span<const std::uint32_t> in);

@@ -17,26 +17,27 @@ namespace {
 using Shape = std::vector<std::uint64_t>;
 
 constexpr std::uint64_t kMostLayers = 8;
-constexpr std::uint64_t kMostSide = 65536;
+constexpr std::uint64_t kMostSide = 65536;  // of the reflected picture
+constexpr std::uint64_t kMostPlanes = std::uint64_t{1} << 28;
 constexpr std::uint64_t kBlockValues = std::uint64_t{1} << 20;  // read at once
 
 Error bad(const std::string& path, const std::string& what) {
   return {ErrorCode::kBadInput, path + ": " + what};
 }
 
-Result<void> check_shape(const std::string& path, const char* name, const Shape& found,
+Result<void> check_shape(const CanvasGroup& from, const char* name, const Shape& found,
                          const Shape& needed) {
   if (found == needed) return {};
-  return bad(path, fmt::format("{} is {}, must be {}", name, fmt::join(found, " x "),
-                               fmt::join(needed, " x ")));
+  return bad(from.path, fmt::format("{}{} is {}, must be {}", from.group, name,
+                                    fmt::join(found, " x "), fmt::join(needed, " x ")));
 }
 
-Result<Shape> shape_in_file(hid_t file, const std::string& path, const char* name,
-                            std::size_t rank) {
-  const std::optional<Shape> shape = dataset_shape(file, name);
-  if (!shape) return bad(path, fmt::format("{} is missing", name));
+Result<Shape> shape_in_file(const CanvasGroup& from, const char* name, std::size_t rank) {
+  const std::optional<Shape> shape = dataset_shape(from.file, from.group + name);
+  if (!shape) return bad(from.path, fmt::format("{}{} is missing", from.group, name));
   if (shape->size() != rank)
-    return bad(path, fmt::format("{} has {} dimensions, must have {}", name, shape->size(), rank));
+    return bad(from.path, fmt::format("{}{} has {} dimensions, must have {}", from.group, name,
+                                      shape->size(), rank));
   return *shape;
 }
 
@@ -85,63 +86,66 @@ bool for_each_row(hid_t file, const std::string& name, const Shape& shape, hid_t
   return true;
 }
 
-bool is_finite(std::uint32_t bits) {
-  constexpr std::uint32_t kExponent = 0x7F800000u;
-  return (bits & kExponent) != kExponent;
-}
-
 }  // namespace
 
-Result<CanvasState> empty_canvas(hid_t file, const std::string& path) {
-  const Result<Shape> plane = shape_in_file(file, path, "/fluid/depth", 2);
+Result<CanvasShape> canvas_shape(const CanvasGroup& from, const ShapeLimits& limits) {
+  const auto& [file, path, group] = from;
+  const Result<Shape> plane = shape_in_file(from, "/fluid/depth", 2);
   if (!plane) return plane.error();
-  const Result<Shape> bands = shape_in_file(file, path, "/canvas/reflectance", 3);
+  const Result<Shape> bands = shape_in_file(from, "/canvas/reflectance", 3);
   if (!bands) return bands.error();
-  const Result<Shape> pigment = shape_in_file(file, path, "/layers/pigment", 4);
+  const Result<Shape> pigment = shape_in_file(from, "/layers/pigment", 4);
   if (!pigment) return pigment.error();
   const std::uint64_t ny = (*plane)[0], nx = (*plane)[1];
   const std::uint64_t layers = (*pigment)[0], channels = (*pigment)[1];
   if (ny == 0 || nx == 0) return bad(path, fmt::format("the canvas has {} x {} cells", nx, ny));
   const std::uint64_t planes = layers * channels + (*bands)[2];
-  if (nx > kMostSide || ny > kMostSide || nx * ny > kMostCells || channels > kMostCells ||
-      (*bands)[2] > kMostCells || planes > kMostValues / (nx * ny))
+  if (nx > limits.side || ny > limits.side || nx * ny > limits.cells || channels > kMostPlanes ||
+      (*bands)[2] > kMostPlanes || planes > limits.values / (nx * ny))
     return Error{
         ErrorCode::kLimit,
         fmt::format("{}: {} x {} cells in {} planes is more than is read", path, nx, ny, planes)};
   if (layers < 1 || layers > kMostLayers)
     return bad(path, fmt::format("{} layers, must be 1 to {}", layers, kMostLayers));
-  if ((*bands)[2] < 1) return bad(path, "/canvas/reflectance has no bands");
-  CanvasGeometry geometry;
-  geometry.width = static_cast<int>(nx);
-  geometry.height = static_cast<int>(ny);
-  CanvasState state =
-      make_canvas_state(geometry, static_cast<int>(layers), static_cast<int>(channels),
-                        static_cast<int>((*bands)[2]), 0);
+  if ((*bands)[2] < 1) return bad(path, group + "/canvas/reflectance has no bands");
+  const CanvasShape shape = {static_cast<int>(nx), static_cast<int>(ny), static_cast<int>(layers),
+                             static_cast<int>(channels), static_cast<int>((*bands)[2])};
   for (const CanvasDataset& dataset : kCanvasDatasets) {
-    const Shape needed = shape_of(StateSource(state), dataset);
-    const Result<Shape> found = shape_in_file(file, path, dataset.name, needed.size());
+    const Shape needed = shape_of(shape, dataset);
+    const Result<Shape> found = shape_in_file(from, dataset.name, needed.size());
     if (!found) return found.error();
-    if (const Result<void> fits = check_shape(path, dataset.name, *found, needed); !fits)
+    if (const Result<void> fits = check_shape(from, dataset.name, *found, needed); !fits)
       return fits.error();
   }
-  return state;
+  return shape;
 }
 
-Result<void> read_canvas(hid_t file, const std::string& path, const CanvasDataset& dataset,
+Result<CanvasState> empty_canvas(const CanvasGroup& from) {
+  constexpr ShapeLimits kLimits = {65536, std::uint64_t{1} << 28, std::uint64_t{1} << 32};
+  const Result<CanvasShape> shape = canvas_shape(from, kLimits);
+  if (!shape) return shape.error();
+  CanvasGeometry geometry;
+  geometry.width = shape->width;
+  geometry.height = shape->height;
+  return make_canvas_state(geometry, shape->layers, shape->channels, shape->bands, 0);
+}
+
+Result<void> read_canvas(const CanvasGroup& from, const CanvasDataset& dataset,
                          CanvasState& state) {
+  const std::string name = from.group + dataset.name;
   std::int64_t bad_row = -1;
   const bool read = for_each_row(
-      file, dataset.name, shape_of(StateSource(state), dataset),
+      from.file, name, shape_of(shape_of(StateSource(state)), dataset),
       dataset.is_integer ? H5T_NATIVE_UINT32 : H5T_NATIVE_FLOAT,
       [&](std::int64_t row, std::span<const std::uint32_t> values) {
         store_row(state, dataset, row, values);
         if (!dataset.is_integer && !std::all_of(values.begin(), values.end(), is_finite))
           bad_row = row;
       });
-  if (!read) return bad(path, fmt::format("{} cannot be read", dataset.name));
+  if (!read) return bad(from.path, fmt::format("{} cannot be read", name));
   if (bad_row >= 0)
-    return bad(path, fmt::format("{} has a value that is not finite in row {}", dataset.name,
-                                 bad_row % state.geometry.height));
+    return bad(from.path, fmt::format("{} has a value that is not finite in row {}", name,
+                                      bad_row % state.geometry.height));
   return {};
 }
 

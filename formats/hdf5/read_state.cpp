@@ -1,3 +1,5 @@
+#include "formats/hdf5/read_state.h"
+
 #include <fmt/format.h>
 #include <hdf5.h>
 
@@ -7,6 +9,7 @@
 #include <cstring>
 #include <string_view>
 
+#include "formats/hdf5/dump_source.h"
 #include "formats/hdf5/handle.h"
 #include "formats/hdf5/layout.h"
 #include "formats/hdf5/read_canvas.h"
@@ -23,6 +26,10 @@ namespace {
 using hdf5::Handle;
 
 constexpr std::size_t kMostNames = 65536;
+constexpr std::int64_t kMostDetail = 32;
+constexpr std::size_t kCacheBytes = std::size_t{256} << 20;
+// The finer canvas is never held whole.
+constexpr hdf5::ShapeLimits kFineLimits = {1 << 20, std::uint64_t{1} << 38, std::uint64_t{1} << 44};
 constexpr std::string_view kSignature = "\x89HDF\r\n\x1A\n";
 
 /// Reads a dump; the first thing that is wrong ends it.
@@ -32,6 +39,8 @@ class StateReader {
       : path_(path), file_(file), root_(H5Gopen2(file, "/", H5P_DEFAULT), H5Gclose) {}
 
   Result<StateDump> read();
+  /// That the finer canvas has the hash it should have.
+  Result<void> check_fine(const StateDump& dump) const;
 
  private:
   Error bad(const std::string& what) const { return {ErrorCode::kBadInput, path_ + ": " + what}; }
@@ -43,6 +52,8 @@ class StateReader {
   Result<void> read_palette(StateDump& dump) const;
   Result<void> read_lighting(Lighting& light) const;
   Result<void> read_lamp(Lamp& lamp, hid_t group) const;
+  Result<void> read_guide(StateDump& dump, const hdf5::CanvasGroup& from) const;
+  Result<void> open_fine(StateDump& dump) const;
 
   const std::string& path_;
   hid_t file_;
@@ -67,18 +78,21 @@ Result<void> StateReader::read_root(StateDump& dump) const {
   const auto time = hdf5::number_attribute(root_.id(), "time_s");
   const auto rate = hdf5::number_attribute(root_.id(), "steps_per_second");
   const auto hash = hdf5::text_attribute(root_.id(), "state_sha256");
+  const auto guide = hdf5::text_attribute(root_.id(), "guide_sha256");
   if (!width || !(*width > 0)) return missing("canvas_width_m");
   if (!height || !(*height > 0)) return missing("canvas_height_m");
   if (!step || *step < 0) return missing("step");
   if (!time) return missing("time_s");
   if (!rate || !(*rate > 0)) return missing("steps_per_second");
   if (!hash) return missing("state_sha256");
+  if (!guide && dump.detail > 1) return missing("guide_sha256");
   dump.state.geometry.width_m = *width;
   dump.state.geometry.height_m = *height;
   dump.state.step = *step;
   dump.time_s = *time;
   dump.steps_per_second = *rate;
   dump.state_sha256 = *hash;
+  dump.guide_sha256 = dump.detail > 1 ? *guide : *hash;
   dump.log_sha256 = hdf5::text_attribute(root_.id(), "log_sha256").value_or("");
   return {};
 }
@@ -196,31 +210,67 @@ Result<void> StateReader::read_lighting(Lighting& light) const {
   return {};
 }
 
+Result<void> StateReader::read_guide(StateDump& dump, const hdf5::CanvasGroup& from) const {
+  for (const hdf5::CanvasDataset& dataset : hdf5::kCanvasDatasets) {
+    if (dataset.is_derived) continue;
+    if (const Result<void> filled = hdf5::read_canvas(from, dataset, dump.state); !filled)
+      return filled;
+  }
+  if (const auto slept = hdf5::read_sleep(from, dump.model, dump.state); !slept) return slept;
+  const std::string hash = state_sha256(dump.state);
+  if (hash == dump.guide_sha256) return {};
+  return bad("its values have the hash " + hash + ", it says " + dump.guide_sha256);
+}
+
+Result<void> StateReader::open_fine(StateDump& dump) const {
+  const Result<hdf5::CanvasShape> shape = hdf5::canvas_shape({file_, path_, ""}, kFineLimits);
+  if (!shape) return shape.error();
+  const CanvasState& guide = dump.state;
+  const std::int64_t k = dump.detail;
+  if (shape->width != k * guide.geometry.width || shape->height != k * guide.geometry.height ||
+      shape->layers != guide.layers || shape->channels != guide.channels ||
+      shape->bands != guide.bands)
+    return bad(fmt::format("its canvas is not {} times its guide", k));
+  const CanvasGeometry fine = {shape->width, shape->height, guide.geometry.width_m,
+                               guide.geometry.height_m};
+  auto source = hdf5::DumpSource::open(path_, *shape, fine, guide.step, kCacheBytes);
+  if (!source) return source.error();
+  dump.fine = std::move(*source);
+  return {};
+}
+
+Result<void> StateReader::check_fine(const StateDump& dump) const {
+  if (!dump.fine) return {};
+  const std::string hash = state_sha256(*dump.fine);
+  if (const Result<void> read = dump.fine->status(); !read) return read;
+  if (hash == dump.state_sha256) return {};
+  return bad("its values have the hash " + hash + ", it says " + dump.state_sha256);
+}
+
 Result<StateDump> StateReader::read() {
   if (const Result<void> fine = check_format(); !fine) return fine.error();
-  Result<CanvasState> canvas = hdf5::empty_canvas(file_, path_);
-  if (!canvas) return canvas.error();
   StateDump dump;
+  const std::int64_t detail = hdf5::whole_attribute(root_.id(), "detail").value_or(1);
+  if (detail < 1 || detail > kMostDetail)
+    return bad(fmt::format("detail is {}, must be 1 to {}", detail, kMostDetail));
+  dump.detail = static_cast<int>(detail);
+  const hdf5::CanvasGroup from = {file_, path_, detail > 1 ? "/guide" : ""};
+  Result<CanvasState> canvas = hdf5::empty_canvas(from);
+  if (!canvas) return canvas.error();
   dump.state = std::move(*canvas);
   if (const Result<void> root = read_root(dump); !root) return root.error();
   if (const Result<void> model = read_model(dump.model); !model) return model.error();
   if (const Result<void> palette = read_palette(dump); !palette) return palette.error();
   if (const Result<void> basis = read_basis(dump); !basis) return basis.error();
   if (const Result<void> light = read_lighting(dump.lighting); !light) return light.error();
-  for (const hdf5::CanvasDataset& dataset : hdf5::kCanvasDatasets) {
-    if (dataset.is_derived) continue;
-    const Result<void> filled = hdf5::read_canvas(file_, path_, dataset, dump.state);
-    if (!filled) return filled.error();
-  }
-  if (const auto slept = hdf5::read_sleep(file_, path_, dump.model, dump.state); !slept)
-    return slept.error();
   if (H5Lexists(file_, "/provenance", H5P_DEFAULT) > 0) {
     const Handle notes(H5Gopen2(file_, "/provenance", H5P_DEFAULT), H5Gclose);
     dump.provenance = hdf5::text_attributes(notes.id());
   }
-  const std::string hash = state_sha256(dump.state);
-  if (hash != dump.state_sha256)
-    return bad("its values have the hash " + hash + ", it says " + dump.state_sha256);
+  if (const Result<void> guide = read_guide(dump, from); !guide) return guide.error();
+  if (detail > 1) {
+    if (const Result<void> fine = open_fine(dump); !fine) return fine.error();
+  }
   return dump;
 }
 
@@ -240,11 +290,16 @@ Result<void> check_signature(const std::string& path) {
   return {};
 }
 
-Result<StateDump> read_here(const std::string& path) {
+/// `whole`: the values of the finer canvas too, which are read when they are needed.
+Result<StateDump> read_here(const std::string& path, bool whole) {
   const hdf5::Silence silence;
   const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
   if (!file.ok()) return Error{ErrorCode::kBadInput, path + ": a damaged or cut short HDF5 file"};
-  return StateReader(path, file.id()).read();
+  StateReader reader(path, file.id());
+  Result<StateDump> dump = reader.read();
+  if (!dump || !whole) return dump;
+  if (const Result<void> right = reader.check_fine(*dump); !right) return right.error();
+  return dump;
 }
 
 }  // namespace
@@ -252,9 +307,16 @@ Result<StateDump> read_here(const std::string& path) {
 Result<StateDump> read_state(const std::string& path) {
   if (const Result<void> signed_file = check_signature(path); !signed_file)
     return signed_file.error();
-  const Result<void> survived = hdf5::rehearse(path, [&] { (void)read_here(path).ok(); });
-  if (!survived) return survived.error();
-  return read_here(path);
+  const Result<bool> right = hdf5::rehearse(path, [&] { return read_here(path, true).ok(); });
+  if (!right) return right.error();
+  // What was found right need not be checked twice.
+  return read_here(path, !*right);
+}
+
+Result<void> hdf5::check_dump_file(const std::string& file, const std::string& name) {
+  const Result<bool> right = rehearse(file, [&] { return read_here(file, true).ok(); });
+  if (right && *right) return {};
+  return Error{ErrorCode::kIo, name + ": what was read back differs from what was written"};
 }
 
 }  // namespace pentimento

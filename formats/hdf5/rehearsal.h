@@ -10,8 +10,8 @@
 
 namespace pentimento::hdf5 {
 
-/// Runs `read` in a child of this process and forgets what it returns. Errors: kBadInput with
-/// `path` if the child dies or takes longer than a dump can take; kIo if there can be no child.
-Result<void> rehearse(const std::string& path, const std::function<void()>& read);
+/// Runs `read` in a child of this process and tells what it returned. Errors: kBadInput with `path`
+/// if the child dies or takes longer than a dump can take; kIo if there can be no child.
+Result<bool> rehearse(const std::string& path, const std::function<bool()>& read);
 
 }  // namespace pentimento::hdf5

@@ -34,11 +34,12 @@ std::vector<float> sleep_to_dump(const CanvasState& state) {
   return sleep;
 }
 
-bool write_sleep(hid_t file, const CanvasState& state) {
+bool write_sleep(hid_t file, const std::string& group, const CanvasState& state) {
   if (state.sleep.empty()) return true;
   const std::vector<std::uint64_t> shape = sleep_shape(state.sleep.size());
+  const std::string name = group + kSleepName;
   return write_small(file,
-                     {kSleepName,
+                     {name.c_str(),
                       "1, m/s^2 (3), 1",
                       "per tile: 1 = asleep; gravity right, up, out when it fell asleep; "
                       "1 = its paint feels gravity",
@@ -46,20 +47,20 @@ bool write_sleep(hid_t file, const CanvasState& state) {
                      sleep_to_dump(state));
 }
 
-Result<void> read_sleep(hid_t file, const std::string& path, const Model& model,
-                        CanvasState& state) {
+Result<void> read_sleep(const CanvasGroup& from, const Model& model, CanvasState& state) {
   state.sleep.clear();
-  if (!has_dataset(file, kSleepName)) return {};
+  const std::string name = from.group + kSleepName;
+  if (!has_dataset(from.file, name)) return {};
   const conservative::Tiles tiles(state.geometry, model.sleep_tile_m);
   const auto needed = sleep_shape(static_cast<std::size_t>(tiles.count()) * kSleepValues);
-  const auto found = dataset_shape(file, kSleepName);
+  const auto found = dataset_shape(from.file, name);
   const auto bad = [&](const std::string& what) {
-    return Error{ErrorCode::kBadInput, fmt::format("{}: {} {}", path, kSleepName, what)};
+    return Error{ErrorCode::kBadInput, fmt::format("{}: {} {}", from.path, name, what)};
   };
   if (found && *found != needed)
     return bad(
         fmt::format("is {}, must be {}", fmt::join(*found, " x "), fmt::join(needed, " x ")));
-  const auto values = read_doubles(file, kSleepName, needed);
+  const auto values = read_doubles(from.file, name, needed);
   if (!values) return bad("cannot be read");
   if (!std::all_of(values->begin(), values->end(), [](double v) { return std::isfinite(v); }))
     return bad("has a value that is not finite");

@@ -10,9 +10,11 @@
 #include "core/canvas_state.h"
 #include "core/model.h"
 #include "core/result.h"
+#include "formats/hdf5/read_canvas.h"
 
 namespace pentimento::hdf5 {
 
+/// Within the group of its canvas.
 inline constexpr const char* kSleepName = "/fluid/asleep";
 
 /// (tiles, values of a tile).
@@ -22,11 +24,10 @@ std::vector<std::uint64_t> sleep_shape(std::size_t values);
 std::vector<float> sleep_to_dump(const CanvasState& state);
 
 /// Nothing is written where nothing sleeps: an absent dataset means that all is awake.
-bool write_sleep(hid_t file, const CanvasState& state);
+bool write_sleep(hid_t file, const std::string& group, const CanvasState& state);
 
 /// Fills `state.sleep`; `state` has its geometry, metres too, and `model` is the dump's.
 /// Errors: kBadInput (not a row for each tile that this canvas has in this model, not finite).
-Result<void> read_sleep(hid_t file, const std::string& path, const Model& model,
-                        CanvasState& state);
+Result<void> read_sleep(const CanvasGroup& from, const Model& model, CanvasState& state);
 
 }  // namespace pentimento::hdf5

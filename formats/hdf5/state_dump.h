@@ -2,6 +2,7 @@
 // The HDF5 state dump of docs/state-format.md: everything needed to shade again, to compare and to
 // go on. Written as a core image, then published atomically; success is our verified rename.
 
+#include <memory>
 #include <string>
 
 #include "core/canvas_source.h"
@@ -15,7 +16,11 @@
 namespace pentimento {
 
 struct StateDump {
-  CanvasState state;
+  CanvasState state;  // the guide: of the simulation's own grid
+  /// At detail k > 1 the k times finer canvas, which is what the dump is of; else nothing. The
+  /// reader's reads from the file, part by part.
+  int detail = 1;
+  std::shared_ptr<const CanvasSource> fine;
   Model model;
   ChannelBasis basis;
   std::vector<Pigment> palette;
@@ -23,7 +28,8 @@ struct StateDump {
   double steps_per_second = 45;
   double time_s = 0;
   std::string log_sha256;
-  std::string state_sha256;  // reader: as stored; writer: computed
+  std::string state_sha256;  // of `fine` if there is one; reader: as stored, writer: computed
+  std::string guide_sha256;  // of `state`; likewise
   /// Band centres of the palette; empty: the bands are red, green and blue.
   std::vector<double> wavelength_nm;
   Provenance provenance;  // reader only; the writer takes DumpOptions'
@@ -39,7 +45,7 @@ struct DumpOptions {
 
 /// How a dump names itself, and the newest version known here.
 inline constexpr const char* kStateFormat = "pentimento-state";
-inline constexpr int kStateVersion = 1;
+inline constexpr int kStateVersion = 2;  // 2: with a finer canvas; without, 1 is written
 /// Of the hash's first line: what is hashed has not changed since.
 inline constexpr int kHashVersion = 1;
 

@@ -31,13 +31,14 @@ void add_sleep(const CanvasState& state, Sha256& hash) {
 
 void add_planes(const CanvasSource& canvas, Sha256& hash) {
   hash.update(fmt::format("{} {}\nstep {}\n", kStateFormat, kHashVersion, canvas.step()));
+  const hdf5::CanvasShape shape = hdf5::shape_of(canvas);
   std::vector<std::uint32_t> row;
   for (const hdf5::CanvasDataset& dataset : hdf5::kCanvasDatasets) {
     if (dataset.is_derived) continue;
     hash.update(fmt::format("{} {} {}\n", dataset.name, dataset.is_integer ? "uint32" : "float32",
-                            fmt::join(hdf5::shape_of(canvas, dataset), " ")));
+                            fmt::join(hdf5::shape_of(shape, dataset), " ")));
     row.resize(static_cast<std::size_t>(canvas.geometry().width) *
-               static_cast<std::size_t>(hdf5::cell_values(canvas, dataset)));
+               static_cast<std::size_t>(hdf5::cell_values(shape, dataset)));
     for (std::int64_t y = 0; y < hdf5::row_count(canvas, dataset); ++y) {
       hdf5::copy_cells(canvas, dataset, y, 0, row);
       to_little_endian(row);

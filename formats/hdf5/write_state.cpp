@@ -6,9 +6,11 @@
 #include "core/threads.h"
 #include "formats/hdf5/chunked.h"
 #include "formats/hdf5/handle.h"
-#include "formats/hdf5/layout.h"
+#include "formats/hdf5/output_driver.h"
+#include "formats/hdf5/read_state.h"
 #include "formats/hdf5/sleep.h"
 #include "formats/hdf5/state_dump.h"
+#include "formats/hdf5/write_canvas.h"
 #include "formats/hdf5/write_small.h"
 #include "formats/hdf5/xdmf.h"
 #include "formats/io/provenance.h"
@@ -26,6 +28,13 @@ using hdf5::write_small;
 constexpr std::size_t kImageGrowth = std::size_t{4} << 20;
 constexpr const char* kGroups[] = {"/fluid",   "/canvas",   "/layers",
                                    "/palette", "/lighting", "/provenance"};
+constexpr const char* kGuideGroups[] = {"/guide", "/guide/fluid", "/guide/canvas", "/guide/layers"};
+// A canvas that is read again part by part has chunks that a part needs few of.
+constexpr std::uint64_t kTileSide = 256;
+
+struct Hashes {
+  std::string state, guide;
+};
 
 template <typename Matrix>
 auto row_major(const Matrix& m) {
@@ -38,20 +47,6 @@ auto row_major(const Matrix& m) {
 template <typename Matrix>
 std::vector<hsize_t> shape_of(const Matrix& m) {
   return {static_cast<hsize_t>(m.rows()), static_cast<hsize_t>(m.cols())};
-}
-
-bool write_canvas(hid_t file, const CanvasSource& canvas, int level, const Threads& threads) {
-  for (const hdf5::CanvasDataset& what : hdf5::kCanvasDatasets) {
-    const hdf5::RowSource source = {hdf5::shape_of(canvas, what),
-                                    [&](std::int64_t row, std::span<std::uint32_t> out) {
-                                      hdf5::copy_cells(canvas, what, row, 0, out);
-                                    }};
-    const hid_t type = what.is_integer ? H5T_NATIVE_UINT32 : H5T_NATIVE_FLOAT;
-    const Handle dataset(hdf5::write_chunked(file, what.name, type, source, level, threads),
-                         H5Dclose);
-    if (!dataset.ok() || !hdf5::describe(dataset.id(), what.units, what.long_name)) return false;
-  }
-  return true;
 }
 
 bool write_basis(hid_t file, const ChannelBasis& basis) {
@@ -100,10 +95,12 @@ bool write_reflection(hid_t file, const ReflectionMap& map, int level, const Thr
   const Field<float>& red = map.rgb[0];
   const hdf5::RowSource source = {
       {static_cast<std::uint64_t>(red.height()), static_cast<std::uint64_t>(red.width()), 3},
-      [&](std::int64_t row, std::span<std::uint32_t> out) {
+      [&](std::int64_t row, int, std::span<std::uint32_t> out) {
         for (std::size_t i = 0; i < out.size(); ++i)
           out[i] = std::bit_cast<std::uint32_t>(map.rgb[i % 3].row(static_cast<int>(row))[i / 3]);
-      }};
+      },
+      0,
+      {}};
   const Handle dataset(
       hdf5::write_chunked(file, "/lighting/reflection", H5T_NATIVE_FLOAT, source, level, threads),
       H5Dclose);
@@ -150,20 +147,22 @@ bool write_model(hid_t root, const Model& model) {
   return true;
 }
 
-bool write_root(hid_t file, const StateDump& dump, const std::string& hash,
+bool write_root(hid_t file, const StateDump& dump, const Hashes& hashes,
                 const Provenance& provenance) {
   const Handle root(H5Gopen2(file, "/", H5P_DEFAULT), H5Gclose);
   const Handle notes(H5Gopen2(file, "/provenance", H5P_DEFAULT), H5Gclose);
   const hid_t id = root.id();
   const std::string software = provenance_value(provenance, "software");
   bool ok = set_attribute(id, "format", std::string_view(kStateFormat)) &&
-            set_attribute(id, "format_version", std::int64_t{kStateVersion}) &&
+            set_attribute(id, "format_version", std::int64_t{dump.fine ? kStateVersion : 1}) &&
             set_attribute(id, "canvas_width_m", dump.state.geometry.width_m) &&
             set_attribute(id, "canvas_height_m", dump.state.geometry.height_m) &&
             set_attribute(id, "step", dump.state.step) &&
             set_attribute(id, "time_s", dump.time_s) &&
             set_attribute(id, "steps_per_second", dump.steps_per_second) &&
-            set_attribute(id, "state_sha256", hash) && set_attribute(id, "guide_sha256", hash) &&
+            set_attribute(id, "state_sha256", hashes.state) &&
+            set_attribute(id, "guide_sha256", hashes.guide) &&
+            (!dump.fine || set_attribute(id, "detail", std::int64_t{dump.detail})) &&
             set_attribute(id, "log_sha256", dump.log_sha256) &&
             set_attribute(id, "software", software.empty() ? "pentimento" : software) &&
             write_model(id, dump.model);
@@ -171,25 +170,51 @@ bool write_root(hid_t file, const StateDump& dump, const std::string& hash,
   return ok;
 }
 
-/// The bytes of the finished file; empty if HDF5 failed.
-std::string file_image(const StateDump& dump, const std::string& hash, const DumpOptions& options) {
-  const hdf5::Silence silence;
+/// The canvas that the dump is of; at detail 1 that is the guide.
+bool write_canvases(hid_t file, const StateDump& dump, int level, const Threads& threads) {
+  const StateSource guide(dump.state);
+  if (!dump.fine)
+    return hdf5::write_canvas(file, guide, {"", 0, level}, threads) &&
+           hdf5::write_sleep(file, "", dump.state);
+  bool ok = hdf5::write_canvas(file, *dump.fine, {"", kTileSide, level}, threads);
+  for (const char* group : kGuideGroups) ok = ok && hdf5::make_group(file, group);
+  return ok && hdf5::write_canvas(file, guide, {"/guide", 0, level}, threads) &&
+         hdf5::write_sleep(file, "/guide", dump.state);
+}
+
+bool write_content(hid_t file, const StateDump& dump, const Hashes& hashes,
+                   const DumpOptions& options) {
   const Threads threads(options.threads);
+  const int level = options.deflate_level;
+  bool ok = file >= 0;
+  for (const char* group : kGroups) ok = ok && hdf5::make_group(file, group);
+  return ok && write_canvases(file, dump, level, threads) && write_basis(file, dump.basis) &&
+         write_palette(file, dump) && write_lighting(file, dump.lighting, level, threads) &&
+         write_root(file, dump, hashes, options.provenance) &&
+         H5Fflush(file, H5F_SCOPE_GLOBAL) >= 0;
+}
+
+/// The bytes of the finished file; empty if HDF5 failed.
+std::string file_image(const StateDump& dump, const Hashes& hashes, const DumpOptions& options) {
+  const hdf5::Silence silence;
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   H5Pset_fapl_core(access.id(), kImageGrowth, false);
   const Handle file(H5Fcreate("state", H5F_ACC_TRUNC, H5P_DEFAULT, access.id()), H5Fclose);
-  bool ok = file.ok();
-  for (const char* group : kGroups) ok = ok && hdf5::make_group(file.id(), group);
-  const int level = options.deflate_level;
-  ok = ok && write_canvas(file.id(), StateSource(dump.state), level, threads) &&
-       hdf5::write_sleep(file.id(), dump.state) && write_basis(file.id(), dump.basis) &&
-       write_palette(file.id(), dump) && write_lighting(file.id(), dump.lighting, level, threads) &&
-       write_root(file.id(), dump, hash, options.provenance) &&
-       H5Fflush(file.id(), H5F_SCOPE_GLOBAL) >= 0;
+  const bool ok = write_content(file.id(), dump, hashes, options);
   const ssize_t size = ok ? H5Fget_file_image(file.id(), nullptr, 0) : -1;
   if (size <= 0) return {};
   std::string image(static_cast<std::size_t>(size), '\0');
   return H5Fget_file_image(file.id(), image.data(), image.size()) == size ? image : std::string();
+}
+
+/// The finished file, never whole in memory. False if HDF5 failed.
+bool stream_file(OutputFile& output, const StateDump& dump, const Hashes& hashes,
+                 const DumpOptions& options) {
+  const hdf5::Silence silence;
+  hdf5::OutputDriver driver(output);
+  Handle file = driver.create();
+  const bool ok = write_content(file.id(), dump, hashes, options);
+  return H5Fclose(file.release()) >= 0 && ok;
 }
 
 /// Before anything is computed: can the target be written at all?
@@ -205,13 +230,29 @@ Result<void> check_dump(const std::string& path, const StateDump& dump) {
 Result<std::unique_ptr<OutputFile>> complete_state(const std::string& path, const StateDump& dump,
                                                    const DumpOptions& options) {
   if (const Result<void> fine = check_dump(path, dump); !fine) return fine.error();
-  const std::string hash = state_sha256(dump.state);
-  const std::string image = file_image(dump, hash, options);
-  if (image.empty()) return Error{ErrorCode::kLimit, path + ": no memory to build the state dump"};
+  Hashes hashes;
+  hashes.guide = state_sha256(dump.state);
+  hashes.state = dump.fine ? state_sha256(*dump.fine) : hashes.guide;
+  std::string image;
+  const Error no_memory = {ErrorCode::kLimit, path + ": no memory to build the state dump"};
+  if (!dump.fine && (image = file_image(dump, hashes, options)).empty()) return no_memory;
   Result<std::unique_ptr<OutputFile>> file = OutputFile::create(path, options.no_clobber);
   if (!file) return file.error();
-  (*file)->write(image.data(), image.size());
-  if (const Result<Published> whole = (*file)->complete(); !whole) return whole.error();
+  OutputFile& output = **file;
+  if (!dump.fine) {
+    output.write(image.data(), image.size());
+    if (const Result<Published> whole = output.complete(); !whole) return whole.error();
+    return file;
+  }
+  if (output.is_stream())
+    return Error{ErrorCode::kUsage, path + ": a state dump of a finer canvas cannot go to a pipe"};
+  const bool streamed = stream_file(output, dump, hashes, options);
+  if (const Result<void> written = output.status(); !written) return written.error();
+  if (const Result<void> read = dump.fine->status(); !read) return read.error();
+  if (!streamed) return no_memory;
+  const Result<Published> whole = output.complete(
+      [&](const std::string& temporary) { return hdf5::check_dump_file(temporary, path); });
+  if (!whole) return whole.error();
   return file;
 }
 

@@ -126,6 +126,20 @@ void OutputFile::seek(std::uint64_t offset) {
     error_number_ = errno;
 }
 
+void OutputFile::read_at(std::uint64_t offset, void* bytes, std::size_t count) {
+  flush();
+  auto* to = static_cast<std::uint8_t*>(bytes);
+  while (!failed() && count > 0) {
+    const ssize_t n = ::pread(descriptor_, to, count, static_cast<off_t>(offset));
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) error_number_ = errno;
+    if (n <= 0) return;
+    to += n;
+    offset += static_cast<std::uint64_t>(n);
+    count -= static_cast<std::size_t>(n);
+  }
+}
+
 Result<void> OutputFile::status() const {
   if (failed()) return io_error(error_number_);
   return {};

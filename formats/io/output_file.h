@@ -34,6 +34,9 @@ class OutputFile {
   void write(const void* bytes, std::size_t count);
   /// Later writes go to `offset`. Not for streams.
   void seek(std::uint64_t offset);
+  /// What was written at `offset`; beyond the end, and after a failure, `bytes` stay as they are.
+  /// Not for streams.
+  void read_at(std::uint64_t offset, void* bytes, std::size_t count);
   std::uint64_t position() const { return position_; }
   bool failed() const { return error_number_ != 0; }
   /// Ok, or the first failure.

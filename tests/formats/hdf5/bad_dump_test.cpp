@@ -62,8 +62,8 @@ class BadDump : public testing::Test {
 };
 
 TEST_F(BadDump, ANewerVersionIsNamed) {
-  EXPECT_EQ(after([](hid_t f) { set_number(f, "format_version", 2); }),
-            "format version 2 is newer than the 1 known here");
+  EXPECT_EQ(after([](hid_t f) { set_number(f, "format_version", 3); }),
+            "format version 3 is newer than the 2 known here");
   EXPECT_EQ(code_, ErrorCode::kBadInput);
 }
 

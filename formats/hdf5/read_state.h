@@ -1,0 +1,14 @@
+#pragma once
+// Reading a dump back before it is published. For this folder only.
+
+#include <string>
+
+#include "core/result.h"
+
+namespace pentimento::hdf5 {
+
+/// Error (kIo, under the name `name`) unless the dump in `file` is whole and has the hashes that it
+/// names.
+Result<void> check_dump_file(const std::string& file, const std::string& name);
+
+}  // namespace pentimento::hdf5
