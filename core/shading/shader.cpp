@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/shading/aov.h"
+#include "core/shading/area_filter.h"
 #include "core/shading/gl/context.h"
 #include "core/shading/gl/functions.h"
 #include "core/shading/picture_job.h"
@@ -37,7 +38,10 @@ class GlShader : public Shader {
     if (!planes) return planes.error();
     if (auto current = context_->make_current(); !current) return current;
     const ShadeScene scene{canvas, basis, model, lighting};
-    Result<void> done = run(scene, request, *planes, sinks);
+    Result<void> done = reduces(canvas.geometry(), request)
+                            ? run_reduced(scene, request, *planes, sinks)
+                            : run(scene, request, *planes, sinks);
+    if (done && !canvas.status()) done = canvas.status();
     context_->release();
     return done;
   }
@@ -73,6 +77,32 @@ class GlShader : public Shader {
                         r.crop_y <= r.height - std::max(r.crop_height, 1);
     if (!inside) return Error{ErrorCode::kUsage, "the crop lies outside the picture"};
     return {};
+  }
+
+  /// The picture is smaller than the canvas, and not by a whole factor: then cells are shaded once
+  /// each and their light averaged. (By a whole factor the shader itself does the same.)
+  static bool reduces(const CanvasGeometry& grid, const ShadeRequest& r) {
+    if (r.width > grid.width || r.height > grid.height) return false;
+    const int n = samples_per_pixel(grid.width, r.width);
+    return r.width * n != grid.width || r.height * n != grid.height;
+  }
+
+  Result<void> run_reduced(const ShadeScene& scene, const ShadeRequest& r,
+                           const std::vector<PlaneSource>& planes,
+                           const std::vector<PictureSink*>& sinks) {
+    const CanvasGeometry& grid = scene.canvas.geometry();
+    const AreaAxis x{grid.width, r.width}, y{grid.height, r.height};
+    const int columns = r.crop_width > 0 ? r.crop_width : r.width;
+    const int rows = r.crop_height > 0 ? r.crop_height : r.height;
+    ShadeRequest cells = r;
+    cells.width = grid.width;
+    cells.height = grid.height;
+    cells.crop_x = x.first_source(r.crop_x);
+    cells.crop_y = y.first_source(r.crop_y);
+    cells.crop_width = x.last_source(r.crop_x, columns) + 1 - cells.crop_x;
+    cells.crop_height = y.last_source(r.crop_y, rows) + 1 - cells.crop_y;
+    AreaFilter filter(x, r.crop_x, columns, y, r.crop_y, rows, sinks);
+    return run(scene, cells, planes, {&filter});
   }
 
   Result<void> run(const ShadeScene& scene, const ShadeRequest& request,

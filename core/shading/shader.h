@@ -1,7 +1,8 @@
 #pragma once
 // A canvas becomes a picture: Kubelka-Munk, irradiance, Torrance-Sparrow, reflection
 // (R29-R35) in GLSL, in tiles with borders, through an offscreen context. Any size; the picture's
-// pixels and the canvas's cells are independent (A38: bilinear cells, normals from bicubic height).
+// pixels and the canvas's cells are independent: where pixels are smaller, bilinear cells and
+// normals from bicubic height (A38); where they are larger, the mean of the cells' light.
 
 #include <memory>
 #include <string>

@@ -30,7 +30,30 @@ class ShadingReference {
                    const Lighting& lighting, int width, int height)
       : s_(state), basis_(basis), model_(model), light_(lighting), width_(width), height_(height) {}
 
+  /// By more than it has pixels, and not a whole multiple: cells are shaded, their light averaged.
+  bool reduces() const {
+    const int w = s_.geometry.width, h = s_.geometry.height;
+    return w >= width_ && h >= height_ &&
+           (w % width_ != 0 || h % height_ != 0 || w / width_ != h / height_);
+  }
+
   Pixel pixel(int x, int y) const {
+    if (!reduces()) return supersampled(x, y);
+    const double rx = static_cast<double>(s_.geometry.width) / width_;
+    const double ry = static_cast<double>(s_.geometry.height) / height_;
+    const auto share = [](int cell, double from, double ratio) {
+      return std::max(0.0, std::min(cell + 1.0, from + ratio) - std::max<double>(cell, from)) /
+             ratio;
+    };
+    Pixel sum;
+    for (int v = static_cast<int>(y * ry); v < (y + 1) * ry && v < s_.geometry.height; ++v)
+      for (int u = static_cast<int>(x * rx); u < (x + 1) * rx && u < s_.geometry.width; ++u)
+        add(sum, sample(u, v), share(u, x * rx, rx) * share(v, y * ry, ry));
+    return sum;
+  }
+
+ private:
+  Pixel supersampled(int x, int y) const {
     const int n = std::max({1, (s_.geometry.width + width_ - 1) / width_,
                             (s_.geometry.height + height_ - 1) / height_});
     Pixel sum;
@@ -44,7 +67,6 @@ class ShadingReference {
     return sum;
   }
 
- private:
   static void add(Pixel& sum, const Pixel& p, double weight) {
     for (std::size_t c = 0; c < 3; ++c) {
       sum.picture[c] += weight * p.picture[c];
