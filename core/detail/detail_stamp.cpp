@@ -14,6 +14,38 @@ std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
 
+/// The tip at several places along the way that its stamp stands for: fine cells would show each
+/// stamp of a stroke as a print of its own.
+class SweptTip {
+ public:
+  SweptTip(const StampPlan& plan, float cell_m) : level_(stamp_tip_level(plan, cell_m)) {
+    const float travel_m = plan.stamp.travel_m;
+    const float cells = std::min(travel_m / cell_m, static_cast<float>(kMostPrints));
+    prints_ = std::max(1, static_cast<int>(cells));
+    const Vec2f way = plan.stamp.direction;
+    const float step_m = travel_m / static_cast<float>(prints_);
+    du_ = step_m * (plan.pose.u_x * way.x + plan.pose.u_y * way.y);
+    dv_ = step_m * (plan.pose.v_x * way.x + plan.pose.v_y * way.y);
+  }
+  /// Mean of the tip's value at (u, v) on its way, the stamp's own place in the middle.
+  float value(float u, float v) const {
+    if (prints_ == 1) return stamp_value(level_, u, v);
+    const float first = -0.5f * static_cast<float>(prints_ - 1);
+    float sum = 0;
+    for (int i = 0; i < prints_; ++i) {
+      const float at = first + static_cast<float>(i);
+      sum += stamp_value(level_, u + at * du_, v + at * dv_);
+    }
+    return sum / static_cast<float>(prints_);
+  }
+
+ private:
+  static constexpr int kMostPrints = 8;
+  const TipLevel& level_;
+  int prints_ = 1;
+  float du_ = 0, dv_ = 0;
+};
+
 /// The cells of the tip, and all of the blocks that the guide's stamp may touch.
 CellBox cells_of(const StampPlan& plan, const CanvasGeometry& fine, int factor) {
   CellBox box = box_of(plan.pose, plan.extent, fine);
@@ -118,7 +150,7 @@ LayerRow DetailStamp::row_of(const Part& part, int y) const {
 void DetailStamp::measure(const StampPlan& plan, Part& part) {
   const int side = canvas_.layout().side();
   const DetailTile& tile = *canvas_.find(part.tile);
-  const TipLevel& level = stamp_tip_level(plan, std::sqrt(fine_.dx_m() * fine_.dy_m()));
+  const SweptTip swept(plan, std::sqrt(fine_.dx_m() * fine_.dy_m()));
   const std::size_t cells = at(part.width()) * at(part.y1 - part.y0);
   for (std::vector<float>* v : {&part.value, &part.share, &part.touch}) v->resize(cells);
   std::size_t i = 0;
@@ -129,7 +161,7 @@ void DetailStamp::measure(const StampPlan& plan, Part& part) {
     const float* depth = tile.depth_m.data() + first;
     for (int x = 0; x < part.width(); ++x, ++i) {
       const float u = tip.u(part.x0 - box_.x + x), v = tip.v(part.x0 - box_.x + x);
-      const float value = stamp_value(level, u, v);
+      const float value = swept.value(u, v);
       part.value[i] = value;
       part.touch[i] = value > 0 ? stamp_touch(plan, value, v) : 0.0f;
       part.share[i] =
