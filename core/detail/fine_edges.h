@@ -13,10 +13,12 @@ namespace pentimento {
 bool blend_edges(std::span<const float> a, std::span<const float> b, float t, std::span<float> out);
 
 /// Positions of the fine edges after the motion, in fine cells from the line's start.
-///   x_e = e + k D(e / k), D linear between the guide's edges
+///   x_e = e + k D(e / k), D cubic between the guide's edges with the limited slopes of
+///   limiter.h at them
 /// then pushed apart where they would cross: x_{e+1} >= x_e + 1/64, from the left, then from the
 /// right wall.
-/// Scheme: linear along the motion, so that a block is stretched evenly. Stable: positions ascend.
+/// Scheme: D has a continuous derivative along the motion, so the stretch of the paint does not
+/// jump between blocks (linear D prints their grid). Stable: positions ascend.
 /// Source: forward remap, core/fluid/conservative/remap_plan.h. Departs from it: edges of layers
 /// that would cross (their factors differ from cell to cell) keep a sliver between them.
 /// `guide` has one more value than the line has blocks and starts and ends with 0; `position` one
