@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/detail/dry_detail.h"
+#include "core/detail/level_detail.h"
 #include "core/detail/move_detail.h"
 #include "core/detail/moving_tiles.h"
 #include "core/detail/restore_detail.h"
@@ -59,6 +60,7 @@ void Refinement::moved(const CanvasState& guide, const StepInput& in,
   const LineAxis second = edges_.x_first ? LineAxis::kY : LineAxis::kX;
   for (const LineAxis axis : {first, second})
     move_detail(canvas_, edges_, axis, moving, move, threads_);
+  level_detail(canvas_, guide, edges_, in, moving);
   flag(tiles);
   zero_edges(edges_, runs);
 }

@@ -1,0 +1,76 @@
+#include "core/detail/smooth_field.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/fluid/conservative/kernel.h"
+
+namespace pentimento {
+
+namespace {
+using Taps = std::array<float, 4>;
+
+/// Weights of the four cells around a fine centre, the first of them `first` cells from its own.
+struct Phase {
+  int first = -1;
+  Taps weight{};
+};
+
+Phase phase_of(int within, int factor) {
+  const float at = (static_cast<float>(within) + 0.5f) / static_cast<float>(factor) - 0.5f;
+  const float t = at < 0 ? at + 1 : at;  // from the lower of the two centres around
+  const float r = 1 - t;
+  return {at < 0 ? -2 : -1,
+          {r * r * r / 6, (4 - 6 * t * t + 3 * t * t * t) / 6, (4 - 6 * r * r + 3 * r * r * r) / 6,
+           t * t * t / 6}};
+}
+
+PENTIMENTO_KERNEL
+void combine_rows(const std::array<const float*, 4>& row, const Taps& w, int n,
+                  float* __restrict out) {
+  const float *a = row[0], *b = row[1], *c = row[2], *d = row[3];
+  for (int i = 0; i < n; ++i) out[i] = w[0] * a[i] + w[1] * b[i] + w[2] * c[i] + w[3] * d[i];
+}
+}  // namespace
+
+TileNeighbourhood::TileNeighbourhood(const GuideBox& box, int guide_width, int guide_height)
+    : box_(box),
+      guide_width_(guide_width),
+      guide_height_(guide_height),
+      x0_(box.x0 - kMargin),
+      y0_(box.y0 - kMargin),
+      width_(box.width() + 2 * kMargin),
+      height_(box.height() + 2 * kMargin),
+      value_(static_cast<std::size_t>(width_ * height_)) {}
+
+void TileNeighbourhood::fill(const std::function<float(int, int)>& value_at) {
+  std::size_t i = 0;
+  for (int y = y0_; y < y0_ + height_; ++y)
+    for (int x = x0_; x < x0_ + width_; ++x)
+      value_[i++] =
+          value_at(std::clamp(x, 0, guide_width_ - 1), std::clamp(y, 0, guide_height_ - 1));
+}
+
+void TileNeighbourhood::smooth(int factor, float* out, std::ptrdiff_t stride) const {
+  const int cells = box_.width() * factor;
+  std::vector<Phase> phase;
+  for (int i = 0; i < factor; ++i) phase.push_back(phase_of(i, factor));
+  std::vector<float> stretched(static_cast<std::size_t>(cells) * static_cast<std::size_t>(height_));
+  for (int y = 0; y < height_; ++y) {
+    float* to = stretched.data() + static_cast<std::ptrdiff_t>(y) * cells;
+    for (int x = 0; x < cells; ++x) {
+      const Phase& p = phase[static_cast<std::size_t>(x % factor)];
+      const float* v = value_.data() + y * width_ + x / factor + kMargin + p.first;
+      to[x] = p.weight[0] * v[0] + p.weight[1] * v[1] + p.weight[2] * v[2] + p.weight[3] * v[3];
+    }
+  }
+  for (int y = 0; y < box_.height() * factor; ++y) {
+    const Phase& p = phase[static_cast<std::size_t>(y % factor)];
+    const float* first =
+        stretched.data() + static_cast<std::ptrdiff_t>(y / factor + kMargin + p.first) * cells;
+    combine_rows({first, first + cells, first + 2 * cells, first + 3 * cells}, p.weight, cells,
+                 out + y * stride);
+  }
+}
+
+}  // namespace pentimento

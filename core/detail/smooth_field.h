@@ -1,0 +1,40 @@
+#pragma once
+// A field of the guide as a smooth surface over the fine cells of a tile.
+
+#include <functional>
+#include <vector>
+
+#include "core/detail/detail_layout.h"
+
+namespace pentimento {
+
+/// Values of guide cells in and around a tile, two cells more on each side, which the surface is
+/// made from.
+class TileNeighbourhood {
+ public:
+  static constexpr int kMargin = 2;
+  /// Cells beyond the canvas repeat its outermost.
+  TileNeighbourhood(const GuideBox& box, int guide_width, int guide_height);
+  /// Sets every value to value_at(x, y) of the guide.
+  void fill(const std::function<float(int, int)>& value_at);
+  /// Of the guide cell (x, y), at most kMargin outside the box.
+  float at(int x, int y) const {
+    return value_[static_cast<std::size_t>((y - y0_) * width_ + x - x0_)];
+  }
+
+  /// The cubic B-spline with the values as coefficients, at the centres of the tile's fine cells:
+  ///   s(x, y) = sum_ij B(x - i) B(y - j) v_ij, B the cubic B-spline with knots one cell apart
+  /// Scheme: smooths (variance 1/3 cell^2), second derivatives continuous, within the values'
+  /// range. Stable: weights are >= 0 and sum to 1. Source: Unser, IEEE Signal Processing Mag. 16
+  /// (1999) 22-38. Departs from it: no prefilter, which would overshoot.
+  /// `out` has box.width() k values in each of box.height() k rows, `stride` apart.
+  void smooth(int factor, float* out, std::ptrdiff_t stride) const;
+
+ private:
+  GuideBox box_;
+  int guide_width_, guide_height_;
+  int x0_, y0_, width_, height_;
+  std::vector<float> value_;
+};
+
+}  // namespace pentimento
