@@ -1,8 +1,10 @@
 #include "core/simulation.h"
 
+#include <algorithm>
 #include <optional>
 
 #include "core/brush/builtin_brushes.h"
+#include "core/brush/tip_rack.h"
 #include "core/brush/transfer.h"
 #include "core/drying.h"
 #include "core/finite.h"
@@ -15,6 +17,12 @@ struct Touch {
   Reservoir reservoir;
   std::uint32_t stroke_id = 0;
   bool down = false;
+};
+
+/// A colour on the rows [begin, end) of what brushes hold.
+struct Colour {
+  int pigment = 0;
+  int begin = 0, end = 0;
 };
 
 PaintAccount empty_account(int channels) {
@@ -43,7 +51,7 @@ struct Simulation::Impl {
         amount(setup.basis.amount.begin(), setup.basis.amount.end()),
         account(empty_account(setup.basis.channels())),
         brush(*builtin_brush("round")),
-        tip(brush) {
+        tip(tips.find(brush)) {
     fresh_canvas();
     load = wanted_load();
   }
@@ -74,10 +82,30 @@ struct Simulation::Impl {
 
   /// What the sliders and the colour say the brush holds.
   PaintLoad wanted_load() const {
+    PaintLoad wanted = load_of(colours.front().pigment);
+    for (std::size_t i = 1; i < colours.size(); ++i)
+      wanted.set_rows(load_of(colours[i].pigment), colours[i].begin, colours[i].end);
+    return wanted;
+  }
+
+  PaintLoad load_of(int pigment) const {
     std::vector<float> per_amount(amount.size(), 0.0f);
     for (std::size_t c = 0; c < per_amount.size(); ++c)
       per_amount[c] = setup.basis.load(static_cast<Eigen::Index>(c), pigment);
     return make_load(model, settings, per_amount, amount);
+  }
+
+  void fill_brushes() {
+    for (auto& [id, touch] : touches) dip(touch);
+  }
+
+  /// What lays no film starts clean, not dipped.
+  void dip(Touch& touch) const {
+    if (brush.film > 0) {
+      touch.reservoir.fill(load);
+    } else {
+      touch.reservoir.empty();
+    }
   }
 
   /// Dips every brush anew if what it should hold has changed.
@@ -85,7 +113,7 @@ struct Simulation::Impl {
     const PaintLoad wanted = wanted_load();
     if (wanted == load) return;
     load = wanted;
-    for (auto& [id, touch] : touches) touch.reservoir.fill(load);
+    fill_brushes();
   }
 
   SimulationSetup setup;
@@ -100,9 +128,10 @@ struct Simulation::Impl {
   CanvasFollower* follower = nullptr;
 
   BrushDefinition brush;
-  Tip tip;
+  TipRack tips;
+  std::shared_ptr<const Tip> tip;
   BrushSettings settings;
-  Eigen::Index pigment = 0;
+  std::vector<Colour> colours = {{0, 0, kReservoirRows}};  // the later over the earlier
   PaintLoad load;
   std::map<int, Touch> touches;
   Vec3f gravity_m_s2{0, 0, 9.81f};
@@ -119,37 +148,45 @@ void Simulation::set_settings(const BrushSettings& settings) {
 }
 
 void Simulation::set_brush(const BrushDefinition& brush) {
-  impl_->brush.name = brush.name;
-  impl_->brush.shape = brush.shape;
-  impl_->brush.texture = brush.texture.clone();
-  impl_->brush.spacing = brush.spacing;
-  impl_->brush.size_pressure = brush.size_pressure;
-  impl_->brush.flow_pressure = brush.flow_pressure;
-  impl_->brush.follows_direction = brush.follows_direction;
-  impl_->tip = Tip(impl_->brush);
+  const bool is_other = brush.name != impl_->brush.name;
+  impl_->brush = brush.clone();
+  impl_->tip = impl_->tips.find(impl_->brush);
+  if (is_other) impl_->fill_brushes();
 }
 
 void Simulation::set_color(int pigment) {
   PENTIMENTO_CHECK(pigment >= 0 && pigment < impl_->setup.basis.load.cols());
-  impl_->pigment = pigment;
+  impl_->colours = {{pigment, 0, kReservoirRows}};
   impl_->load = impl_->wanted_load();
-  for (auto& [id, touch] : impl_->touches) touch.reservoir.fill(impl_->load);
+  impl_->fill_brushes();
+}
+
+void Simulation::set_color(int pigment, float from, float to) {
+  PENTIMENTO_CHECK(pigment >= 0 && pigment < impl_->setup.basis.load.cols());
+  PENTIMENTO_CHECK(from >= 0 && from <= to && to <= 1);
+  const auto row = [](float at) { return static_cast<int>(at * kReservoirRows + 0.5f); };
+  const int begin = std::min(row(from), kReservoirRows - 1);
+  const int end = std::max(begin + 1, row(to));
+  impl_->colours.push_back({pigment, begin, end});
+  impl_->load = impl_->wanted_load();
+  if (!(impl_->brush.film > 0)) return;
+  for (auto& [id, touch] : impl_->touches) touch.reservoir.fill_rows(impl_->load, begin, end);
 }
 
 void Simulation::begin_stroke(int touch_id, std::uint32_t stroke_id) {
   const auto [found, is_new] = impl_->touches.try_emplace(touch_id, impl_->state.channels);
   Touch& touch = found->second;
-  if (is_new) touch.reservoir.fill(impl_->load);
+  if (is_new) impl_->dip(touch);
   touch.down = true;
   touch.stroke_id = stroke_id;
-  touch.reservoir.density_frac = 1;
+  touch.reservoir.density_frac = impl_->settings.load_frac;
   touch.reservoir.dry_ahead_frac = 1;
 }
 
 void Simulation::stamp(int touch_id, const Stamp& stamp) {
   const auto touch = impl_->touches.find(touch_id);
   PENTIMENTO_CHECK(touch != impl_->touches.end() && touch->second.down);
-  const BrushInHand hand{impl_->brush, impl_->tip, impl_->settings, impl_->load,
+  const BrushInHand hand{impl_->brush, *impl_->tip, impl_->settings, impl_->load,
                          touch->second.stroke_id};
   impl_->transfer->apply(stamp, hand, impl_->model, touch->second.reservoir);
   ++impl_->stamps;

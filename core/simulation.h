@@ -41,9 +41,13 @@ class Simulation {
   // The hand: what the brush is, holds and does.
   /// Sliders that change what the brush holds (medium, pigment) load it afresh, as a colour does.
   void set_settings(const BrushSettings& settings);
+  /// Another brush than the one in the hand is a clean one, dipped into the colour.
   void set_brush(const BrushDefinition& brush);
   /// Loads every brush with `pigment` (an index into the palette the basis was made from).
   void set_color(int pigment);
+  /// Dips only the part [from, to] of the tip's width into it, 0 the left side of a stroke and 1
+  /// the right; the rest keeps what it holds.
+  void set_color(int pigment, float from, float to);
   /// A touch goes down: fresh fluid density, its own reservoir (kept per touch id until set_color).
   void begin_stroke(int touch_id, std::uint32_t stroke_id);
   void stamp(int touch_id, const Stamp& stamp);

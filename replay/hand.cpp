@@ -43,7 +43,7 @@ Result<void> Hand::act(const log::Action& action) {
   } else if (const auto* slider = std::get_if<log::Slider>(&action)) {
     slide(*slider);
   } else if (const auto* color = std::get_if<log::Color>(&action)) {
-    simulation_.set_color(input_.palette.find(*color));
+    dip(*color);
   } else if (const auto* brush = std::get_if<log::BrushChange>(&action)) {
     simulation_.set_brush(input_.brushes.find(brush->name));
   } else if (std::holds_alternative<log::Dry>(action)) {
@@ -54,6 +54,13 @@ Result<void> Hand::act(const log::Action& action) {
     return load(*picture);
   }
   return {};
+}
+
+void Hand::dip(const log::Color& color) {
+  const int pigment = input_.palette.find(color);
+  if (!color.across) return simulation_.set_color(pigment);
+  simulation_.set_color(pigment, static_cast<float>((*color.across)[0]),
+                        static_cast<float>((*color.across)[1]));
 }
 
 void Hand::slide(const log::Slider& slider) {

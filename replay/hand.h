@@ -32,6 +32,7 @@ class Hand {
 
  private:
   Result<void> act(const log::Action& action);
+  void dip(const log::Color& color);
   void slide(const log::Slider& slider);
   Result<void> load(const log::Load& load);
 

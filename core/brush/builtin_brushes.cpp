@@ -2,22 +2,28 @@
 
 #include <array>
 
+#include "core/brush/hairs.h"
+
 namespace pentimento {
 
 namespace {
 struct Builtin {
   std::string_view name;
   TipShape shape;
-  float size_pressure;     // soft hair spreads under pressure, a blade does not
-  float spacing;           // 0: the slider's; a thin blade prints ribs at 2.5 %
-  bool follows_direction;  // whatever is not the same from all sides turns with the stroke
+  float size_pressure;  // soft hair spreads under pressure, a blade does not
+  float flow_pressure;
+  float spacing;   // 0: the slider's; a thin blade prints ribs at 2.5 %
+  float capacity;  // long hair holds more paint
 };
 
-constexpr std::array<Builtin, 5> kBuiltins = {{{"round", TipShape::kRound, 0.5f, 0, true},
-                                               {"flat", TipShape::kFlat, 0.15f, 0, true},
-                                               {"filbert", TipShape::kFilbert, 0.35f, 0, true},
-                                               {"bristle", TipShape::kBristle, 0.25f, 0, true},
-                                               {"knife", TipShape::kKnife, 0.0f, 0.0125f, true}}};
+constexpr std::array<Builtin, 8> kBuiltins = {{{"round", TipShape::kRound, 0.4f, 0.7f, 0, 200},
+                                               {"flat", TipShape::kFlat, 0.12f, 0.7f, 0, 200},
+                                               {"filbert", TipShape::kFilbert, 0.25f, 0.7f, 0, 200},
+                                               {"bristle", TipShape::kBristle, 0.2f, 0.7f, 0, 120},
+                                               {"fan", TipShape::kFan, 0.1f, 0.6f, 0.0125f, 60},
+                                               {"rigger", TipShape::kRigger, 0.5f, 0.5f, 0, 400},
+                                               {"knife", TipShape::kKnife, 0, 0.5f, 0.0125f, 200},
+                                               {"rag", TipShape::kRag, 0.2f, 1, 0.05f, 200}}};
 }  // namespace
 
 std::optional<BrushDefinition> builtin_brush(std::string_view name) {
@@ -27,8 +33,18 @@ std::optional<BrushDefinition> builtin_brush(std::string_view name) {
     brush.name = std::string(b.name);
     brush.shape = b.shape;
     brush.size_pressure = b.size_pressure;
+    brush.flow_pressure = b.flow_pressure;
     brush.spacing = b.spacing;
-    brush.follows_direction = b.follows_direction;
+    brush.capacity = b.capacity;
+    brush.follows_direction = b.shape != TipShape::kRag;  // alike from all sides, or nearly
+    if (b.shape == TipShape::kKnife) {
+      brush.scrapes = true;
+    } else if (b.shape == TipShape::kRag) {
+      brush.film = 0;
+      brush.absorb = 0.97f;
+    } else {
+      brush.bristles = bundle_of(b.shape).bristles;
+    }
     return brush;
   }
   return std::nullopt;

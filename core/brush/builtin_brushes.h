@@ -12,7 +12,7 @@ namespace pentimento {
 
 /// The built-in brush of that name; nothing if there is none.
 std::optional<BrushDefinition> builtin_brush(std::string_view name);
-/// All of them, in the order of documentation: round, flat, filbert, bristle, knife.
+/// All of them, in the order of documentation.
 std::vector<std::string> builtin_brush_names();
 
 }  // namespace pentimento

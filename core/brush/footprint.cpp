@@ -42,8 +42,7 @@ int cell_at(double place_m, double cell_m, int count) {
 TipPose pose_of(const Stamp& stamp, const BrushDefinition& brush, float smallest_m) {
   const float pressure = stamp.pressure < 0 ? 1.0f : std::min(stamp.pressure, 1.0f);
   TipPose pose;
-  pose.diameter_m =
-      std::max(smallest_m, stamp.diameter_m * (1 - brush.size_pressure * (1 - pressure)));
+  pose.diameter_m = std::max(smallest_m, stamp.diameter_m * brush.size_at(pressure));
   const Vec2f axis = axis_of(stamp, brush);
   const Vec2f lean = lean_of(stamp);
   const float lean_size = std::sqrt(lean.x * lean.x + lean.y * lean.y);

@@ -19,6 +19,11 @@ void Reservoir::fill(const PaintLoad& load) {
   surplus_ = 0;
 }
 
+void Reservoir::empty() {
+  std::fill(data_.begin(), data_.end(), 0.0f);
+  as_loaded_ = false;
+}
+
 void Reservoir::fill_rows(const PaintLoad& load, int begin, int end) {
   PENTIMENTO_CHECK(static_cast<int>(load.paint.size()) == stride_);
   for (int r = begin; r < end; ++r) {

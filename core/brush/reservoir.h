@@ -26,6 +26,8 @@ class Reservoir {
 
   /// Every texel becomes the load.
   void fill(const PaintLoad& load);
+  /// Nothing is in it.
+  void empty();
   /// Only the texels whose row is in [begin, end) do.
   void fill_rows(const PaintLoad& load, int begin, int end);
   /// Floats per texel: height, channels, padding of zeros.

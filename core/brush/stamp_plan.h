@@ -28,7 +28,8 @@ struct StampPlan {
   TipExtent extent;
   CellBox box;     // of the canvas that the stamp was planned on
   int stride = 4;  // floats of paint per cell: height, channels, padding
-  float mean = 1;  // of the tip, > 0
+  TipState state;  // of the tip
+  float mean = 1;  // of the tip, pressed as it is, > 0
   float dry_m = 0;
   std::uint32_t stroke_id = 0;
   Lift lift;
@@ -38,13 +39,18 @@ struct StampPlan {
   float return_frac = 0;  // share of the surplus that goes back where the tip touches fully
   float level_per_m = 0;  // contact levelling: deposit changes by this per metre above the mean
   double mean_height_m = 0;
-  float share_scale = 1;  // keeps the total that levelling redistributes
+  float catch_per_m = 0;      // dry brush: how sharply deposit ends below the heights it reaches...
+  float catch_offset = 1;     // ...and its share at the mean height; 0 per metre: it reaches all
+  float pickup_frac = 0;      // share lifted by the hairs' grip; in `lift` too, unless scraping
+  float scrape_frac = 0;      // share taken of what stands above...
+  float scrape_height_m = 0;  // ...this, by a blade
+  float share_scale = 1;      // keeps the total that levelling redistributes
   float push_m = 0;
 };
 
 /// The tip as cells of `cell_m` (the root of their area) see it.
-inline const TipLevel& stamp_tip_level(const StampPlan& plan, float cell_m) {
-  return plan.tip->level_for(cell_m / plan.pose.diameter_m);
+inline TipLevel stamp_tip_level(const StampPlan& plan, float cell_m) {
+  return plan.tip->level_for(cell_m / plan.pose.diameter_m, plan.state);
 }
 
 /// Value of the tip at (u, v), in [0,1]; 0 where it is too faint to touch.
@@ -59,11 +65,49 @@ inline float stamp_touch(const StampPlan& plan, float value, float v) {
   return std::min(1.0f, value / plan.mean) * plan.tip->grip(v);
 }
 
-/// Contact levelling (A22): the value where the canvas is `height_m` high, less on bumps and more
-/// in hollows, before `share_scale`.
-inline float stamp_levelled(const StampPlan& plan, float value, float height_m) {
+/// How far a cell is under the ends of a blade, which paint may pass, by the tip's value there.
+inline float stamp_blade_end(float value) {
+  return std::clamp((value - 0.65f) * 5, 0.0f, 1.0f);
+}
+
+struct CellHeight {
+  float depth_m = 0;    // of the wet paint
+  float surface_m = 0;  // its surface
+};
+
+/// Share of the weight that lift_row() takes (with plan.lift) where the tip's value is `value` and
+/// its hairs hold with `touch`: theirs, or, under a blade, what stands above its edge.
+inline float stamp_lift_weight(const StampPlan& plan, float touch, float value,
+                               const CellHeight& cell) {
+  if (!(plan.scrape_frac > 0)) return touch;
+  const float above = std::clamp(cell.surface_m - plan.scrape_height_m, 0.0f, cell.depth_m);
+  const float scraped = cell.depth_m > 0 ? plan.scrape_frac * (above / cell.depth_m) : 0.0f;
+  return std::max(plan.pickup_frac * touch,
+                  std::min(touch, 1.0f) * scraped * (1 - stamp_blade_end(value)));
+}
+
+/// Contact levelling (A22): less on bumps and more in hollows, in [0,2]. A blade fills up to its
+/// edge, over some 0.15 mm, but for its ends.
+inline float stamp_level_factor(const StampPlan& plan, float value, float height_m) {
   const float above = height_m - static_cast<float>(plan.mean_height_m);
-  return value * std::clamp(1 - plan.level_per_m * above, 0.0f, 2.0f);
+  const float level = std::clamp(1 - plan.level_per_m * above, 0.0f, 2.0f);
+  if (!(plan.scrape_frac > 0)) return level;
+  constexpr float kRoom_m = 1.5e-4f;
+  const float room = std::clamp((plan.scrape_height_m - height_m) / kRoom_m, 0.0f, 1.0f);
+  return room + stamp_blade_end(value) * (level - room);
+}
+
+/// Dry brush: 1 where the hairs reach down to `height_m`, 0 where they pass over it.
+inline float stamp_caught(const StampPlan& plan, float height_m) {
+  if (plan.catch_per_m == 0) return 1;
+  const float above = height_m - static_cast<float>(plan.mean_height_m);
+  const float t = std::clamp(plan.catch_offset + plan.catch_per_m * above, 0.0f, 1.0f);
+  return t * t * (3 - 2 * t);
+}
+
+/// The value where the canvas is `height_m` high, levelled and caught, before `share_scale`.
+inline float stamp_levelled(const StampPlan& plan, float value, float height_m) {
+  return value * stamp_level_factor(plan, value, height_m) * stamp_caught(plan, height_m);
 }
 
 /// Content laid at a cell, of the paint that the reservoir holds over it.

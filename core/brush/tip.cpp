@@ -1,6 +1,7 @@
 #include "core/brush/tip.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/brush/resample.h"
 
@@ -8,6 +9,9 @@ namespace pentimento {
 
 namespace {
 constexpr int kMasterSize = 256;  // a tip of 30 mm has texels of 0.12 mm, a hair's width
+constexpr int kPresses = 5;       // drawings from the lightest touch to all hairs down
+constexpr int kDrynesses = 8;
+constexpr float kWetFrac = 0.8f;  // from here on all hairs give alike
 
 /// FNV-1a of the name.
 std::uint64_t seed_of(const std::string& name) {
@@ -18,25 +22,79 @@ std::uint64_t seed_of(const std::string& name) {
   }
   return hash;
 }
+
+/// Which two of `count` evenly spaced things in [0,1] are around `at`, and how far it is between.
+struct Place {
+  std::size_t low = 0, high = 0;
+  float frac = 0;
+  Place(float at, std::size_t count) {
+    const float x = std::clamp(at, 0.0f, 1.0f) * static_cast<float>(count - 1);
+    low = std::min(static_cast<std::size_t>(x), count - 1);
+    high = std::min(low + 1, count - 1);
+    frac = x - static_cast<float>(low);
+  }
+};
 }  // namespace
 
-TipLevel::TipLevel(const Field<float>& map)
+TipMap::TipMap(const Field<float>& map)
     : size_(map.width()), padded_(map.width() + 2, map.width() + 2) {
   for (int y = 0; y < size_; ++y) std::copy_n(map.row(y), size_, padded_.row(y + 1) + 1);
 }
 
-Tip::Tip(const BrushDefinition& brush) : extent_(tip_extent(brush.shape)) {
+Tip::Tip(const BrushDefinition& brush) {
   const std::uint64_t seed = seed_of(brush.name);
-  const Field<float> master = draw_tip(brush, kMasterSize, seed);
+  Field<float> widest(kMasterSize, kMasterSize);
+  const int presses = has_hairs(brush) ? kPresses : 1;
+  for (int i = 0; i < presses; ++i) {
+    const float press = presses == 1 ? 1 : static_cast<float>(i) / static_cast<float>(presses - 1);
+    const Field<float> master = draw_tip(brush, kMasterSize, seed, press);
+    add_press(master);
+    for (int y = 0; y < kMasterSize; ++y)
+      for (int x = 0; x < kMasterSize; ++x) widest(x, y) = std::max(widest(x, y), master(x, y));
+  }
+  if (brush.shape != TipShape::kTexture) find_extent(widest);
+  fill_tables(brush, seed);
+  if (mean() > 0) list_texels(resample_area(widest, kReservoirColumns, kReservoirRows));
+}
+
+void Tip::add_press(const Field<float>& master) {
+  Press press;
   double sum = 0;
   for (int y = 0; y < kMasterSize; ++y)
     for (int x = 0; x < kMasterSize; ++x) sum += static_cast<double>(master(x, y));
-  mean_ = static_cast<float>(sum / (kMasterSize * kMasterSize));
+  press.mean = static_cast<float>(sum / (kMasterSize * kMasterSize));
   for (const int size : {256, 181, 128, 91, 64, 45, 32, 23, 16, 11, 8, 6, 4, 3, 2})
-    levels_.emplace_back(resample_area(master, size, size));
-  for (std::size_t i = 0; i < grip_.size(); ++i)
-    grip_[i] = hair_grip(brush.shape, 2 * static_cast<float>(i) / kGripSteps - 1, seed);
-  if (mean_ > 0) list_texels(resample_area(master, kReservoirColumns, kReservoirRows));
+    press.maps.emplace_back(resample_area(master, size, size));
+  presses_.push_back(std::move(press));
+}
+
+void Tip::find_extent(const Field<float>& widest) {
+  extent_ = {0, 0};
+  const auto outer_edge = [](int texel) {
+    const float a = std::abs(2 * static_cast<float>(texel) / kMasterSize - 1);
+    const float b = std::abs(2 * static_cast<float>(texel + 1) / kMasterSize - 1);
+    return std::max(a, b);
+  };
+  for (int y = 0; y < kMasterSize; ++y) {
+    for (int x = 0; x < kMasterSize; ++x) {
+      if (!(widest(x, y) > 0)) continue;
+      extent_.u = std::max(extent_.u, outer_edge(x));
+      extent_.v = std::max(extent_.v, outer_edge(y));
+    }
+  }
+}
+
+void Tip::fill_tables(const BrushDefinition& brush, std::uint64_t seed) {
+  for (int i = 0; i <= HairTable::kSteps; ++i)
+    grip_[i] = hair_grip(brush, 2 * HairTable::at_step(i), seed);
+  if (!has_hairs(brush)) return;
+  for (int d = 0; d < kDrynesses; ++d) {
+    HairTable table;
+    const float density = kWetFrac * static_cast<float>(d) / (kDrynesses - 1);
+    for (int i = 0; i <= HairTable::kSteps; ++i)
+      table[i] = hair_gives(2 * HairTable::at_step(i), density, seed);
+    gives_.push_back(table);
+  }
 }
 
 void Tip::list_texels(const Field<float>& map) {
@@ -53,18 +111,36 @@ void Tip::list_texels(const Field<float>& map) {
       if (!(value > 0)) continue;
       const int index = y * kColumns + x;
       texels_.push_back(
-          {index, centre(x, kColumns), centre(y, kRows), std::min(1.0f, value / mean_)});
+          {index, centre(x, kColumns), centre(y, kRows), std::min(1.0f, value / mean())});
       covered_[static_cast<std::size_t>(index)] = 1;
     }
   }
 }
 
-const TipLevel& Tip::level_for(float cell_frac) const {
-  // Half-octave steps: the next coarser level is nearer once a texel is 2^(1/4) too fine.
+float Tip::mean(float press) const {
+  const Place at(press, presses_.size());
+  const float low = presses_[at.low].mean;
+  return low + at.frac * (presses_[at.high].mean - low);
+}
+
+TipLevel Tip::level_for(float cell_frac, const TipState& state) const {
+  // Half-octave steps: the next coarser map is nearer once a texel is 2^(1/4) too fine.
   constexpr float kHalfStep = 1.18920712f;
-  for (const TipLevel& level : levels_)
-    if (cell_frac * static_cast<float>(level.size()) <= kHalfStep) return level;
-  return levels_.back();
+  const Place at(state.press, presses_.size());
+  const std::vector<TipMap>& maps = presses_[at.low].maps;
+  std::size_t size = 0;
+  while (size + 1 < maps.size() && cell_frac * static_cast<float>(maps[size].size()) > kHalfStep)
+    ++size;
+  TipLevel level;
+  level.low = &maps[size];
+  level.high = &presses_[at.high].maps[size];
+  level.frac = at.frac;
+  if (state.density_frac >= kWetFrac || gives_.empty()) return level;
+  const Place dry(state.density_frac / kWetFrac, gives_.size());
+  level.gives_low = &gives_[dry.low];
+  level.gives_high = &gives_[dry.high];
+  level.gives_frac = dry.frac;
+  return level;
 }
 
 }  // namespace pentimento

@@ -1,6 +1,7 @@
 #pragma once
 // A brush tip ready to be stamped: its map at many resolutions, so that a cell of any size gets the
-// mean of the tip over about its own area. Immutable once made; safe to read from threads.
+// mean of the tip over about its own area, and pressed down by several amounts, between which it is
+// blended. Immutable once made; safe to read from threads.
 
 #include <algorithm>
 #include <array>
@@ -14,18 +15,25 @@
 namespace pentimento {
 
 /// One resolution of a tip, with a rim of zeros so that it fades out beyond its edge.
-class TipLevel {
+class TipMap {
  public:
-  explicit TipLevel(const Field<float>& map);
+  explicit TipMap(const Field<float>& map);
   int size() const { return size_; }
-  /// Bilinear value at (u, v) in tip diameters from the centre; 0 outside the tip.
-  float at(float u, float v) const {
-    const float x = (u + 0.5f) * static_cast<float>(size_) + 0.5f;
-    const float y = (v + 0.5f) * static_cast<float>(size_) + 0.5f;
-    const float end = static_cast<float>(size_ + 1);
+  /// Bilinear value at (u, v) in tip diameters from the centre, `frac` of the way from `a` to `b`,
+  /// which have the same size; 0 outside the tip.
+  static float between(const TipMap& a, const TipMap& b, float frac, float u, float v) {
+    const float x = (u + 0.5f) * static_cast<float>(a.size_) + 0.5f;
+    const float y = (v + 0.5f) * static_cast<float>(a.size_) + 0.5f;
+    const float end = static_cast<float>(a.size_ + 1);
     if (!(x >= 0 && y >= 0 && x < end && y < end)) return 0;
     const int i = static_cast<int>(x), j = static_cast<int>(y);
     const float fx = x - static_cast<float>(i), fy = y - static_cast<float>(j);
+    const float low = a.bilinear(i, j, fx, fy);
+    return frac == 0 ? low : low + frac * (b.bilinear(i, j, fx, fy) - low);
+  }
+
+ private:
+  float bilinear(int i, int j, float fx, float fy) const {
     const float* top = padded_.row(j) + i;
     const float* bottom = padded_.row(j + 1) + i;
     const float a = top[0] + fx * (top[1] - top[0]);
@@ -33,9 +41,50 @@ class TipLevel {
     return a + fy * (b - a);
   }
 
- private:
   int size_;
   Field<float> padded_;
+};
+
+/// What is even along the stroke and differs across it, as a table over v.
+class HairTable {
+ public:
+  float& operator[](int i) { return value_[static_cast<std::size_t>(i)]; }
+  static constexpr int kSteps = 128;
+  /// v in tip coordinates that step i stands for.
+  static float at_step(int i) { return static_cast<float>(i) / kSteps - 0.5f; }
+  /// Linear between the steps.
+  float at(float v) const {
+    const float x = std::clamp((v + 0.5f) * kSteps, 0.0f, kSteps - 0.001f);
+    const std::size_t i = static_cast<std::size_t>(x);
+    return value_[i] + (x - static_cast<float>(i)) * (value_[i + 1] - value_[i]);
+  }
+
+ private:
+  std::array<float, kSteps + 1> value_{};
+};
+
+/// How a tip is held at a stamp.
+struct TipState {
+  float press = 1;         // how far the hairs are pressed down, 0..1
+  float density_frac = 1;  // of the brush's fluid: below about 0.8 hairs run dry, one by one
+};
+
+/// A tip at one resolution in one state.
+struct TipLevel {
+  const TipMap* low = nullptr;
+  const TipMap* high = nullptr;
+  float frac = 0;                        // of the way from low to high
+  const HairTable* gives_low = nullptr;  // nullptr: all hairs are wet
+  const HairTable* gives_high = nullptr;
+  float gives_frac = 0;
+
+  /// Value at (u, v) in tip diameters from the centre, in [0,1].
+  float at(float u, float v) const {
+    const float value = TipMap::between(*low, *high, frac, u, v);
+    if (gives_low == nullptr || value == 0) return value;
+    const float few = gives_low->at(v);
+    return value * (few + gives_frac * (gives_high->at(v) - few));
+  }
 };
 
 /// A texel of the reservoir that takes part: where, and how strongly the tip touches there.
@@ -50,32 +99,35 @@ class Tip {
   /// Draws the brush's tip. The hairs are the name's: the same name, the same hairs.
   explicit Tip(const BrushDefinition& brush);
 
-  /// The level whose texels are nearest in size to a cell of `cell_frac` tip diameters, > 0.
-  const TipLevel& level_for(float cell_frac) const;
-  /// Mean value over the tip's square, in [0,1].
-  float mean() const { return mean_; }
+  /// The resolution whose texels are nearest in size to a cell of `cell_frac` tip diameters, > 0.
+  TipLevel level_for(float cell_frac, const TipState& state = {}) const;
+  /// Mean value over the tip's square, in [0,1], of wet hairs.
+  float mean(float press = 1) const;
   TipExtent extent() const { return extent_; }
   /// How strongly the hairs at v (tip coordinates) take hold: hair_grip(), interpolated.
-  float grip(float v) const {
-    const float x = std::clamp((v + 0.5f) * kGripSteps, 0.0f, kGripSteps - 0.001f);
-    const std::size_t i = static_cast<std::size_t>(x);
-    return grip_[i] + (x - static_cast<float>(i)) * (grip_[i + 1] - grip_[i]);
-  }
+  float grip(float v) const { return grip_.at(v); }
   /// The reservoir's texels that the tip covers, and those that touch them.
   const std::vector<TipTexel>& texels() const { return texels_; }
   /// 1 for those, 0 for the others.
   float covered(int texel) const { return covered_[static_cast<std::size_t>(texel)]; }
 
  private:
+  /// One amount of pressing: finest map first, half an octave apart.
+  struct Press {
+    std::vector<TipMap> maps;
+    float mean = 0;
+  };
+  void add_press(const Field<float>& master);
+  void find_extent(const Field<float>& widest);
   void list_texels(const Field<float>& map);
+  void fill_tables(const BrushDefinition& brush, std::uint64_t seed);
 
-  std::vector<TipLevel> levels_;  // finest first, half an octave apart
-  float mean_ = 0;
+  std::vector<Press> presses_;  // evenly from 0 to 1; one alone is all of them
   TipExtent extent_;
   std::vector<TipTexel> texels_;
   std::array<float, kReservoirTexels> covered_{};
-  static constexpr int kGripSteps = 128;
-  std::array<float, kGripSteps + 1> grip_{};
+  HairTable grip_;
+  std::vector<HairTable> gives_;  // evenly from dry to kWetFrac; empty: no hairs
 };
 
 }  // namespace pentimento

@@ -8,13 +8,31 @@
 namespace pentimento {
 
 namespace {
-constexpr float kSmallestCells = 1.5f;       // diameter of the smallest tip a grid can show
-constexpr float kRefillDiameters = 0.1f;     // R22: distance that the refill share is of
-constexpr float kDryingPerDiameter = 5e-3f;  // R24, A21
-constexpr float kDryFrac = 1e-3f;            // of max_medium: thinner is dry canvas (A21)
-constexpr float kWeaveReach_m = 3e-4f;       // of a linen's relief: levels beside the film's own
+constexpr float kSmallestCells = 1.5f;    // diameter of the smallest tip a grid can show
+constexpr float kRefillDiameters = 0.1f;  // R22: distance that the refill share is of
+constexpr float kDryFrac = 1e-3f;         // of max_medium: thinner is dry canvas (A21)
+constexpr float kWeaveReach_m = 3e-4f;    // of a linen's relief: levels beside the film's own
+constexpr float kLeastRelief_m = 2e-5f;   // a smooth ground catches a dry brush evenly
+constexpr float kDryFilm = 0.7f;          // fluid below which hairs dry rather than thin out
+constexpr float kSlowing_m_s = 2.5f;      // a stroke of this speed reaches half as deep
+constexpr float kBladeThickness = 0.14f;  // of the diameter: how long a blade is over a place
+constexpr float kBladeRide_m = 1.5e-4f;   // half a weave: a blade rides on the bumps
+constexpr float kBladeLift_m = 2e-3f;     // the blade's edge without pressure, above that
+constexpr float kMostSqueezed = 1.5f;     // of a blade's film, where there is room
 constexpr int kRowsPerTask = 8;
 constexpr int kCellsWorthThreads = 3000;  // some 0.2 ms of work; handing out rows costs 10 us
+
+/// 1 for a slow stroke; a fast one passes over what is below.
+float speed_factor(const Stamp& stamp) {
+  const Vec2f v = stamp.velocity_m_s;
+  return 1 + std::sqrt(v.x * v.x + v.y * v.y) / kSlowing_m_s;
+}
+
+/// What is left of the film as the brush dries: hairs that still give do not give much less.
+float wet_film(float density_frac) {
+  if (density_frac >= kDryFilm) return density_frac;
+  return kDryFilm * std::sqrt(density_frac / kDryFilm);
+}
 
 /// 1 - (1 - frac)^lengths: a share per length, over another distance.
 float share_over(float frac, double lengths) {
@@ -53,7 +71,7 @@ void Transfer::apply(const Stamp& stamp, const BrushInHand& hand, const Model& m
   prepare(plan.box, plan.stride);
 
   for_rows(plan, &Transfer::measure_rows);
-  find_mean_height(plan);
+  find_heights(hand, plan);
   for_rows(plan, &Transfer::lift_rows);
   take_up(plan, hand, reservoir);
   const bool lays = find_share_scale(plan);
@@ -79,7 +97,9 @@ void Transfer::place(const Stamp& stamp, const BrushInHand& hand, const Reservoi
   plan.load = &hand.load;
   plan.reservoir = &reservoir;
   plan.stride = reservoir.stride();
-  plan.mean = hand.tip.mean();
+  const float pressure = stamp.pressure < 0 ? 1.0f : std::min(stamp.pressure, 1.0f);
+  plan.state = {hand.brush.splay_at(pressure) / speed_factor(stamp), reservoir.density_frac};
+  plan.mean = hand.tip.mean(plan.state.press);
   plan.stroke_id = hand.stroke_id;
 }
 
@@ -87,27 +107,70 @@ void Transfer::place(const Stamp& stamp, const BrushInHand& hand, const Reservoi
 void Transfer::set_rates(const Stamp& stamp, const BrushInHand& hand, const Model& model,
                          const Reservoir& reservoir, StampPlan& plan) const {
   const BrushSettings& settings = hand.settings;
+  const BrushDefinition& brush = hand.brush;
   const float pressure = stamp.pressure < 0 ? 1.0f : std::min(stamp.pressure, 1.0f);
+  const float stiffness = brush.stiffness < 0 ? settings.stiffness : brush.stiffness;
   const double diameters =
       static_cast<double>(stamp.travel_m) / static_cast<double>(plan.pose.diameter_m);
   plan.dry_m = kDryFrac * model.max_medium_m;
-  plan.lift.share_frac = share_over(settings.pickup, diameters);
+  const float pickup = std::max(settings.pickup, brush.absorb * pressure);
+  plan.pickup_frac = share_over(pickup, diameters);
+  plan.lift.share_frac = plan.pickup_frac;
   plan.lift.residue = model.pigment_residue;
   if (stamp.pressure >= 0)
-    plan.lift.reach_frac = std::clamp(pressure * (0.5f + settings.stiffness), 0.0f, 1.0f);
+    plan.lift.reach_frac = std::clamp(pressure * (0.5f + stiffness), 0.0f, 1.0f);
   plan.mix = {0.5f * pressure * share_over(settings.layer_mixing, diameters),
               model.pigment_residue};
   plan.lay = {model.max_medium_m, hand.stroke_id};
   // A tip finer than the grid is drawn as wide as the grid can show, and as much thinner.
-  const float unpressed = stamp.diameter_m * (1 - hand.brush.size_pressure * (1 - pressure));
+  const float unpressed = stamp.diameter_m * brush.size_at(pressure);
   const float thin = std::min(1.0f, unpressed / plan.pose.diameter_m);
-  const float flow = 1 - hand.brush.flow_pressure * (1 - pressure);
-  plan.film_rate = reservoir.density_frac * flow * thin * static_cast<float>(diameters) /
-                   (plan.mean * kFilmsHeld);
-  plan.return_frac = static_cast<float>(-approx::expm1(-diameters));
-  plan.level_per_m = model.contact_levelling * (2 * reservoir.density_frac - 1) /
+  // Fewer hairs lay less, though not in proportion: each is fed by those beside it. Speed leaves
+  // the amount alone.
+  const float unhurried = hand.tip.mean(brush.splay_at(pressure));
+  const float mean = 0.5f * (unhurried + hand.tip.mean()) * plan.mean / unhurried;
+  plan.film_rate = brush.film * wet_film(reservoir.density_frac) * brush.flow_at(pressure) * thin *
+                   static_cast<float>(diameters) / (mean * kFilmsHeld);
+  plan.return_frac = (1 - brush.absorb) * static_cast<float>(-approx::expm1(-diameters));
+  plan.level_per_m = model.contact_levelling * std::max(0.0f, 2 * reservoir.density_frac - 1) /
                      (model.film_medium_m * settings.medium_frac + kWeaveReach_m);
   plan.push_m = model.brush_push * stamp.travel_m;
+  if (brush.scrapes) {
+    plan.lift.share_frac = 1;  // stamp_lift_weight() says how much
+    plan.lift.reach_frac = -1;
+    plan.scrape_frac = share_over(0.97f, diameters / static_cast<double>(kBladeThickness));
+  }
+}
+
+/// Heights under the tip: their mean; what a dry or light brush reaches of them; and where the edge
+/// of a blade is.
+void Transfer::find_heights(const BrushInHand& hand, StampPlan& plan) const {
+  double value = 0, height = 0, square = 0, base = 0;
+  for (int y = 0; y < plan.box.height; ++y) {
+    const RowSums& sums = row_[static_cast<std::size_t>(y)];
+    value += sums.value;
+    height += sums.value_height;
+    square += sums.value_height2;
+    base += sums.value_base;
+  }
+  if (!(value > 0)) return;
+  plan.mean_height_m = height / value;
+  const float pressure = plan.stamp.pressure < 0 ? 1.0f : std::min(plan.stamp.pressure, 1.0f);
+  if (plan.scrape_frac > 0) {
+    plan.scrape_height_m = static_cast<float>(base / value) + kBladeRide_m +
+                           (1 - pressure) * kBladeLift_m + hand.load.paint[0] / kFilmsHeld;
+    return;
+  }
+  const float stiffness = hand.brush.stiffness < 0 ? hand.settings.stiffness : hand.brush.stiffness;
+  const float contact = plan.state.density_frac * std::min(1.0f, 0.2f + 1.6f * pressure) *
+                        (1.25f - 0.5f * stiffness) / speed_factor(plan.stamp);
+  // At 0.8 the hairs come 2.8 deviations deep: everywhere. At 0.24 they touch the higher half.
+  const float offset = 5 * contact - 1.2f;
+  if (offset >= 2.8f) return;
+  const double variance = square / value - plan.mean_height_m * plan.mean_height_m;
+  const float deviation = static_cast<float>(std::sqrt(std::max(0.0, variance)));
+  plan.catch_per_m = 1 / std::max(deviation, kLeastRelief_m);
+  plan.catch_offset = offset;
 }
 
 /// Levelling only redistributes. Whole on the canvas, the tip lays its exact total; cut by the
@@ -122,7 +185,10 @@ bool Transfer::find_share_scale(StampPlan& plan) const {
   const double whole = static_cast<double>(plan.pose.diameter_m) *
                        static_cast<double>(plan.pose.diameter_m) * static_cast<double>(plan.mean) /
                        state_.geometry.cell_area_m2();
-  plan.share_scale = static_cast<float>((plan.box.inside ? whole : value) / share);
+  const bool exact = plan.box.inside && plan.state.density_frac >= kDryFilm;
+  plan.share_scale = static_cast<float>((exact ? whole : value) / share);
+  // Under a blade that finds no room, paint stays on it.
+  if (plan.scrape_frac > 0) plan.share_scale = std::min(plan.share_scale, kMostSqueezed);
   return true;
 }
 
@@ -136,6 +202,7 @@ void Transfer::prepare(const CellBox& box, int stride) {
   grow(weight_, cells);
   grow(share_, cells);
   grow(touch_, cells);
+  grow(grasp_, cells);
   grow(paint_, cells * static_cast<std::size_t>(stride));
   grow(row_paint_, rows * parts_);
   grow(row_, rows);
@@ -162,7 +229,7 @@ void Transfer::for_rows(const StampPlan& plan, void (Transfer::*pass)(const Stam
 
 /// The tip's value per cell, and what the canvas is like under it.
 void Transfer::measure_rows(const StampPlan& plan, int begin, int end) {
-  const TipLevel& level = stamp_tip_level(plan, cell_m());
+  const TipLevel level = stamp_tip_level(plan, cell_m());
   for (int y = begin; y < end; ++y) {
     const int canvas_y = plan.box.y + y;
     const TipRow tip = tip_row(plan.pose, plan.box, state_.geometry, canvas_y);
@@ -181,7 +248,10 @@ void Transfer::measure_rows(const StampPlan& plan, int begin, int end) {
       touched.end = x + 1;
       const double value = static_cast<double>(s);
       sums.value += value;
-      sums.value_height += value * static_cast<double>(base[x] + depth[x]);
+      const double height = static_cast<double>(base[x] + depth[x]);
+      sums.value_height += value * height;
+      sums.value_height2 += value * height * height;
+      sums.value_base += value * static_cast<double>(base[x]);
       if (stroke[x] != plan.stroke_id) {
         sums.ahead += value;
         if (depth[x] < plan.dry_m) sums.ahead_dry += value;
@@ -191,15 +261,6 @@ void Transfer::measure_rows(const StampPlan& plan, int begin, int end) {
     touched_[static_cast<std::size_t>(y)] =
         touched.end > touched.begin ? touched : TouchedCells{0, 0};
   }
-}
-
-void Transfer::find_mean_height(StampPlan& plan) const {
-  double value = 0, height = 0;
-  for (int y = 0; y < plan.box.height; ++y) {
-    value += row_[static_cast<std::size_t>(y)].value;
-    height += row_[static_cast<std::size_t>(y)].value_height;
-  }
-  plan.mean_height_m = value > 0 ? height / value : 0;
 }
 
 Transfer::Strip Transfer::strip_of(const StampPlan& plan, int y) const {
@@ -225,13 +286,20 @@ void Transfer::lift_rows(const StampPlan& plan, int begin, int end) {
     const float* base = state_.base_m.row(strip.y) + strip.x;
     float* depth = state_.depth_m.row(strip.y) + strip.x;
     double share = 0;
+    const bool scrapes = plan.scrape_frac > 0;
     for (std::size_t i = 0; i < strip.cells; ++i) {
-      share_[strip.at + i] = stamp_levelled(plan, weight_[strip.at + i], base[i] + depth[i]);
-      share += static_cast<double>(share_[strip.at + i]);
+      const std::size_t at = strip.at + i;
+      const float height = base[i] + depth[i];
+      const float levelled = weight_[at] * stamp_level_factor(plan, weight_[at], height);
+      share += static_cast<double>(levelled);
+      share_[at] = levelled * stamp_caught(plan, height);
+      if (scrapes)
+        grasp_[at] = stamp_lift_weight(plan, touch_[at], weight_[at], {depth[i], height});
     }
     row_[static_cast<std::size_t>(y)].share = share;
-    lift_row(plan.lift, planes_.row(strip.x, strip.y), {touch_.data() + strip.at, strip.cells},
-             depth, strip_paint(plan, strip), plan.stride, strip_sums(y));
+    const std::vector<float>& hold = scrapes ? grasp_ : touch_;
+    lift_row(plan.lift, planes_.row(strip.x, strip.y), {hold.data() + strip.at, strip.cells}, depth,
+             strip_paint(plan, strip), plan.stride, strip_sums(y));
   }
 }
 
@@ -245,7 +313,8 @@ void Transfer::take_up(const StampPlan& plan, const BrushInHand& hand, Reservoir
                   reservoir);
   const double distances = static_cast<double>(plan.stamp.travel_m) /
                            static_cast<double>(kRefillDiameters * plan.pose.diameter_m);
-  reservoir.refill(hand.load, hand.tip, share_over(hand.settings.refill, distances));
+  const float refill = hand.brush.film > 0 ? share_over(hand.settings.refill, distances) : 0;
+  reservoir.refill(hand.load, hand.tip, refill);
 }
 
 /// Lays the film and the surplus, mixes the layers, marks the contact.
@@ -301,8 +370,8 @@ void Transfer::settle(const StampPlan& plan, const BrushInHand& hand, Reservoir&
   }
   if (ahead > 0) reservoir.dry_ahead_frac = static_cast<float>(ahead_dry / ahead);
   reservoir.density_frac =
-      std::max(0.0f, reservoir.density_frac - kDryingPerDiameter * reservoir.dry_ahead_frac *
-                                                  plan.stamp.travel_m / plan.pose.diameter_m);
+      std::max(0.0f, reservoir.density_frac - reservoir.dry_ahead_frac * plan.stamp.travel_m /
+                                                  (hand.brush.capacity * plan.pose.diameter_m));
 }
 
 /// The rows' sums in their order, into `paint_sum_` and, as volumes, into a flow.

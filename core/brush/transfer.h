@@ -55,12 +55,14 @@ class Transfer {
 
  private:
   struct RowSums {
-    double value = 0;         // of the tip
-    double value_height = 0;  // times h
-    double share = 0;         // after levelling
-    double ahead = 0;         // value where the stroke has not been yet
-    double ahead_dry = 0;     // ... and the canvas is dry
-    double returned = 0;      // content of the surplus that was laid
+    double value = 0;          // of the tip
+    double value_height = 0;   // times h
+    double value_height2 = 0;  // times h^2
+    double value_base = 0;     // times b
+    double share = 0;          // after levelling
+    double ahead = 0;          // value where the stroke has not been yet
+    double ahead_dry = 0;      // ... and the canvas is dry
+    double returned = 0;       // content of the surplus that was laid
   };
 
   /// The cells of a row that the tip touches.
@@ -79,7 +81,7 @@ class Transfer {
   void lay_rows(const StampPlan& plan, int begin, int end);
   void for_rows(const StampPlan& plan, void (Transfer::*pass)(const StampPlan&, int, int));
   void prepare(const CellBox& box, int stride);
-  void find_mean_height(StampPlan& plan) const;
+  void find_heights(const BrushInHand& hand, StampPlan& plan) const;
   void place(const Stamp& stamp, const BrushInHand& hand, const Reservoir& reservoir,
              StampPlan& plan) const;
   void set_rates(const Stamp& stamp, const BrushInHand& hand, const Model& model,
@@ -102,6 +104,7 @@ class Transfer {
   std::vector<float> weight_;      // value of the tip per cell
   std::vector<float> share_;       // the same after contact levelling
   std::vector<float> touch_;       // how hard the hairs hold, [0,2] per cell
+  std::vector<float> grasp_;       // of a blade: what lift_row() takes
   std::vector<float> paint_;       // lifted, then laid: `stride` floats per cell
   std::vector<double> row_paint_;  // `parts_` per row
   std::vector<double> paint_sum_;

@@ -41,7 +41,7 @@ class SweptTip {
 
  private:
   static constexpr int kMostPrints = 8;
-  const TipLevel& level_;
+  const TipLevel level_;
   int prints_ = 1;
   float du_ = 0, dv_ = 0;
 };
@@ -152,7 +152,8 @@ void DetailStamp::measure(const StampPlan& plan, Part& part) {
   const DetailTile& tile = *canvas_.find(part.tile);
   const SweptTip swept(plan, std::sqrt(fine_.dx_m() * fine_.dy_m()));
   const std::size_t cells = at(part.width()) * at(part.y1 - part.y0);
-  for (std::vector<float>* v : {&part.value, &part.share, &part.touch}) v->resize(cells);
+  for (std::vector<float>* v : {&part.value, &part.share, &part.touch, &part.grasp})
+    v->resize(cells);
   std::size_t i = 0;
   for (int y = part.y0; y < part.y1; ++y) {
     const TipRow tip = tip_row(plan.pose, box_, fine_, y);
@@ -164,6 +165,7 @@ void DetailStamp::measure(const StampPlan& plan, Part& part) {
       const float value = swept.value(u, v);
       part.value[i] = value;
       part.touch[i] = value > 0 ? stamp_touch(plan, value, v) : 0.0f;
+      part.grasp[i] = stamp_lift_weight(plan, part.touch[i], value, {depth[x], base[x] + depth[x]});
       part.share[i] =
           value > 0 ? plan.share_scale * stamp_levelled(plan, value, base[x] + depth[x]) : 0.0f;
     }
@@ -178,7 +180,7 @@ void DetailStamp::lift_part(const StampPlan& plan, Part& part) {
   std::vector<double> sums(at(stride));
   float* depth = canvas_.find(part.tile)->depth_m.data();
   for (int y = part.y0; y < part.y1; ++y)
-    lift_row(plan.lift, row_of(part, y), {part.touch.data() + at(y - part.y0) * width, width},
+    lift_row(plan.lift, row_of(part, y), {part.grasp.data() + at(y - part.y0) * width, width},
              depth + static_cast<std::ptrdiff_t>(y % side) * side + part.x0 % side, lifted.data(),
              stride, sums);
 }

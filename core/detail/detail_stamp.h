@@ -34,7 +34,7 @@ class DetailStamp {
     std::vector<int> channels;           // of the tile
     std::vector<float> amount;           // of those
     std::vector<float*> planes;          // [layer * channels.size() + i]
-    std::vector<float> value, share, touch;
+    std::vector<float> value, share, touch, grasp;
     std::vector<LayerOpening> opening;  // per block under the part
     std::vector<std::int8_t> target;    // -1: opens
     int width() const { return x1 - x0; }

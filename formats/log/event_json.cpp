@@ -34,6 +34,7 @@ struct Members {
   }
   void operator()(const Color& color) const {
     color.value ? json.color("value", color.value) : json.text("pigment", color.pigment);
+    if (color.across) json.numbers("across", *color.across);
   }
   void operator()(const BrushChange& brush) const { json.text("name", brush.name); }
   void operator()(const Load& load) const { json.text("file", load.file); }

@@ -62,6 +62,15 @@ Action parse_color(Fields& fields) {
   if (pigment.has_value() == color.value.has_value()) {
     fields.fail("color needs either pigment or value");
   }
+  if (const std::optional<std::vector<double>> across = fields.numbers("across", kUnitRange)) {
+    if (across->size() != 2) {
+      fields.fail(fmt::format("across has {} numbers, not 2", across->size()));
+    } else if (!((*across)[0] < (*across)[1])) {
+      fields.fail(fmt::format("across {} is not below {}", (*across)[0], (*across)[1]));
+    } else {
+      color.across = {(*across)[0], (*across)[1]};
+    }
+  }
   return color;
 }
 

@@ -32,11 +32,18 @@ struct PigmentSpec {
 
 /// A tip of the log's own: a built-in shape or a texture, with what differs from the defaults.
 struct BrushSpec {
+  struct Bristles {
+    std::optional<double> count, thickness, length_spread, clumping;
+  };
+  using Curve = std::vector<std::array<double, 2>>;  // pressure, value; pressures rise
   std::string name;
   std::string shape;    // a built-in shape, or empty when `texture` is given
   std::string texture;  // file, relative to the log
   std::optional<double> spacing, size_pressure, flow_pressure;
   std::optional<bool> follows_direction;
+  std::optional<Bristles> bristles;
+  std::optional<double> stiffness, grip, capacity, film, absorb;
+  Curve size, flow, splay;  // over pressure; empty: the shape's
 };
 
 struct PaperSpec {
@@ -77,8 +84,9 @@ struct Slider {
   double value = 0;
 };
 struct Color {
-  std::string pigment;       // a palette name, or
-  std::optional<Rgb> value;  // a picked colour, linear
+  std::string pigment;                          // a palette name, or
+  std::optional<Rgb> value;                     // a picked colour, linear
+  std::optional<std::array<double, 2>> across;  // the part of the brush's width that is dipped
 };
 struct BrushChange {
   std::string name;

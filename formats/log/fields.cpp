@@ -143,6 +143,20 @@ bool Fields::read_triple(const JsonNode& node, std::string_view name, const Rang
   return true;
 }
 
+bool Fields::read_pair(const JsonNode& node, std::string_view name,
+                       const std::array<Range, 2>& range, std::array<double, 2>& out) {
+  if (node.kind != JsonKind::kArray || node.children != 2) {
+    fail_value(name, node, "is not an array of two numbers");
+    return false;
+  }
+  for (std::size_t i = 0; i < 2; ++i) {
+    const JsonNode& element = *(&node + 1 + i);
+    if (!in_range(element, fmt::format("{}[{}]", name, i), range[i])) return false;
+    out[i] = element.number;
+  }
+  return true;
+}
+
 std::optional<Rgb> Fields::triple(std::string_view name, const Range& range) {
   const JsonNode* node = find(name);
   Rgb value{};

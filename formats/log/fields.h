@@ -46,6 +46,9 @@ class Fields {
   std::vector<const JsonNode*> elements(std::string_view name);
   /// `node` as three numbers; `name` is for the message. False after a problem.
   bool read_triple(const JsonNode& node, std::string_view name, const Range& range, Rgb& out);
+  /// The same for two numbers, each with a range of its own.
+  bool read_pair(const JsonNode& node, std::string_view name, const std::array<Range, 2>& range,
+                 std::array<double, 2>& out);
 
   /// What `value` holds, or a note that `name` is missing.
   template <typename T>

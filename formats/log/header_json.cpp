@@ -45,6 +45,19 @@ std::string pigment_json(const PigmentSpec& pigment) {
   return json.close();
 }
 
+std::string bristles_json(const BrushSpec::Bristles& bristles) {
+  JsonObject json;
+  json.number("count", bristles.count).number("thickness", bristles.thickness);
+  json.number("length_spread", bristles.length_spread).number("clumping", bristles.clumping);
+  return json.close();
+}
+
+void add_curve(JsonObject& json, std::string_view key, const BrushSpec::Curve& curve) {
+  std::vector<std::string> points;
+  for (const auto& point : curve) points.push_back(json_numbers(point));
+  if (!points.empty()) json.raw(key, json_array(points));
+}
+
 std::string brush_json(const BrushSpec& brush) {
   JsonObject json;
   json.text("name", brush.name);
@@ -52,6 +65,17 @@ std::string brush_json(const BrushSpec& brush) {
   json.number("spacing", brush.spacing).number("size_pressure", brush.size_pressure);
   json.number("flow_pressure", brush.flow_pressure);
   if (brush.follows_direction) json.flag("follows_direction", *brush.follows_direction);
+  json.number("stiffness", brush.stiffness).number("grip", brush.grip);
+  json.number("capacity", brush.capacity).number("film", brush.film);
+  json.number("absorb", brush.absorb);
+  if (brush.bristles) json.raw("bristles", bristles_json(*brush.bristles));
+  if (!brush.size.empty() || !brush.flow.empty() || !brush.splay.empty()) {
+    JsonObject pressure;
+    add_curve(pressure, "size", brush.size);
+    add_curve(pressure, "flow", brush.flow);
+    add_curve(pressure, "splay", brush.splay);
+    json.raw("pressure", pressure.close());
+  }
   return json.close();
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/optics/pigment_library.h"
+#include "formats/log/brush_parser.h"
 #include "formats/log/nearest_name.h"
 #include "formats/log/ranges.h"
 
@@ -98,27 +99,6 @@ PigmentSpec parse_pigment(Fields& fields) {
   check_colors(fields, pigment);
   pigment.library = !pigment.over_white && !pigment.color && !pigment.K && !pigment.spectrum;
   return pigment;
-}
-
-constexpr std::string_view kShapes[] = {"round", "flat", "filbert", "bristle", "knife"};
-
-BrushSpec parse_brush_spec(Fields& fields) {
-  BrushSpec brush;
-  brush.name = fields.required("name", fields.text("name"));
-  if (fields.ok() && brush.name.empty()) fields.reject("name", "is empty");
-  const std::optional<int> shape = fields.choice("shape", kShapes);
-  const std::optional<std::string> texture = fields.text("texture");
-  if (shape.has_value() == texture.has_value()) {
-    fields.fail(
-        fmt::format("{}name \"{}\" needs either shape or texture", fields.prefix(), brush.name));
-  }
-  if (shape) brush.shape = kShapes[static_cast<std::size_t>(*shape)];
-  brush.texture = texture.value_or("");
-  brush.spacing = fields.number("spacing", kSpacingRange);
-  brush.size_pressure = fields.number("size_pressure", kUnitRange);
-  brush.flow_pressure = fields.number("flow_pressure", kUnitRange);
-  brush.follows_direction = fields.flag("follows_direction");
-  return brush;
 }
 
 /// Reads an array of named objects; names must differ.

@@ -28,6 +28,10 @@ inline constexpr Range kStepsPerSecondRange = {1, 10000};
 inline constexpr Range kReliefRange = {0, 0.1, "m"};
 inline constexpr Range kTextureScaleRange = {1e-4, 100, "m"};
 inline constexpr Range kSpacingRange = {1e-3, 10, "diameters"};
+inline constexpr Range kBristleCountRange = {1, 2000};
+inline constexpr Range kBristleThicknessRange = {0.004, 0.5, "half diameters"};
+inline constexpr Range kPressureFactorRange = {0, 4};
+inline constexpr Range kCapacityRange = {1, 1e6, "diameters"};
 inline constexpr Range kAbsorptionRange = {0, 1e6};
 inline constexpr Range kWavelengthRange = {100, 3000, "nm"};
 

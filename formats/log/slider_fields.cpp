@@ -26,6 +26,8 @@ const SliderField kFields[] = {
      &BrushSettings::layer_mixing},
     {{"spacing", "diameters", kNumber, 1e-3, 10, {}, "wider prints a chain of tip marks"},
      &BrushSettings::spacing},
+    {{"load", "of a full brush", kNumber, 0, 1, {}, "at touch-down; half: a dry brush"},
+     &BrushSettings::load_frac},
 };
 
 const SliderField* find_slider_field(std::string_view name) {

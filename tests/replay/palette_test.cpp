@@ -11,7 +11,7 @@ namespace {
 
 TEST(Palette, APickedColourJoinsOnce) {
   Palette palette = Palette::make({}).value();
-  const log::Color yellow{{}, log::Rgb{0.6, 0.5, 0.02}};
+  const log::Color yellow{{}, log::Rgb{0.6, 0.5, 0.02}, {}};
   palette.pick(yellow);
   palette.pick(yellow);
   EXPECT_EQ(palette.pigments().size(), 2u);

@@ -53,7 +53,7 @@ ListReader header() {
 }
 
 log::Color picked(double r, double g, double b) {
-  return {{}, log::Rgb{r, g, b}};
+  return {{}, log::Rgb{r, g, b}, {}};
 }
 
 ListReader two_colours() {

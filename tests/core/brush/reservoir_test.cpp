@@ -152,9 +152,9 @@ TEST(Gather, EveryComponentIsTreatedAlike) {
   }
 }
 
-TEST(BuiltinBrushes, AreTheFiveThatLogsMayName) {
-  EXPECT_EQ(builtin_brush_names(),
-            (std::vector<std::string>{"round", "flat", "filbert", "bristle", "knife"}));
+TEST(BuiltinBrushes, AreTheEightThatLogsMayName) {
+  EXPECT_EQ(builtin_brush_names(), (std::vector<std::string>{"round", "flat", "filbert", "bristle",
+                                                             "fan", "rigger", "knife", "rag"}));
   for (const std::string& name : builtin_brush_names()) EXPECT_EQ(builtin_brush(name)->name, name);
   EXPECT_FALSE(builtin_brush("broom").has_value());
 }

@@ -105,9 +105,9 @@ TEST(StampPlan, LaysAsMuchOnAFinerCanvas) {
   SecondCanvas second(4);
   Hand hand(second);
   hand.sim.stamp(0, stamp_at(0.1, 0.07));
-  // Each grid samples the tip at its cells' centres, 19 of the coarse ones to a diameter: the
-  // whole tip's mean is met to a part in a thousand.
-  EXPECT_NEAR(second.volume_m3() / hand.sim.wet().medium_m3, 1, 2e-3);
+  // Each grid samples the tip at its cells' centres. 19 of the coarse ones to a diameter are wider
+  // than hairs: half of the 1 % within which Tip.LaysTheSameMassOnEveryGrid holds the grids.
+  EXPECT_NEAR(second.volume_m3() / hand.sim.wet().medium_m3, 1, 5e-3);
 }
 
 TEST(StampObserver, IsToldOfEachStampAlsoAfterClearing) {

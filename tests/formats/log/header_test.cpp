@@ -185,7 +185,7 @@ const BadHeader kBrushesAndModel[] = {
     {with(kCanvas + R"("brushes":[{"name":"a"}])"),
      R"(brushes[0].name "a" needs either shape or texture)"},
     {with(kCanvas + R"("brushes":[{"name":"a","shape":"oval"}])"),
-     R"(brushes[0].shape "oval" is not round, flat, filbert, bristle, knife)"},
+     R"(brushes[0].shape "oval" is not round, flat, filbert, bristle, fan, rigger, knife, rag)"},
     {with(kCanvas + R"("brushes":[{"shape":"flat"}])"), "brushes[0].name is missing"},
     {with(kCanvas + R"("brushes":[{"name":"a","shape":"flat","spacing":0}])"),
      "brushes[0].spacing 0 is outside 0.001..10 diameters"},

@@ -1,0 +1,45 @@
+#pragma once
+// A bundle of hairs and the mark it makes on the canvas, from a touch of its longest hairs to the
+// whole bundle pressed down. After DiVerdi, Krishnaswamy, Hadap (Industrial-strength painting with
+// a virtual bristle brush, VRST 2010), reduced to what a height field can show: hairs are points
+// with a place, a length, a thickness and a load; pressing brings shorter ones down, spreads their
+// feet and bends them back along the stroke. All lengths in halves of the diameter.
+
+#include <cstdint>
+#include <vector>
+
+#include "core/brush/brush_settings.h"
+#include "core/field.h"
+
+namespace pentimento {
+
+/// How hairs are bound.
+struct HairBundle {
+  float half_u = 0.5f, half_v = 0.9f;  // of the bundle, along and across the stroke
+  float corner = 0;                    // 0 an ellipse, 1 a rectangle
+  float point = 0;                     // how much shorter the hairs at the rim are
+  float film = 0;                      // paint between the hairs, of theirs
+  float ridge = 0;                     // how much more the hairs at the sides carry
+  float drag = 0;                      // how far they trail when pressed down
+  BristleSet bristles;
+};
+
+/// The bundle of a shape; of kTexture one that fills the square. Knife and rag have none.
+HairBundle bundle_of(TipShape shape);
+
+struct Hair {
+  float u = 0, v = 0;          // its foot, unpressed
+  float out_u = 0, out_v = 0;  // where its clump spreads to
+  float length = 0;            // the longest is 1
+  float radius = 0;            // of its mark
+  float load = 0;              // (0,1]
+};
+
+/// The hairs of a bundle; `seed` chooses them.
+std::vector<Hair> make_hairs(const HairBundle& bundle, std::uint64_t seed);
+
+/// The bundle's mark at `press` in [0,1] as a `size` x `size` map over the tip's square.
+Field<float> draw_hairs(const HairBundle& bundle, const std::vector<Hair>& hairs, float press,
+                        int size);
+
+}  // namespace pentimento
