@@ -41,7 +41,7 @@ std::optional<BrushDefinition> builtin_brush(std::string_view name) {
       brush.scrapes = true;
     } else if (b.shape == TipShape::kRag) {
       brush.film = 0;
-      brush.absorb = 0.97f;
+      brush.absorb = 0.99f;
     } else {
       brush.bristles = bundle_of(b.shape).bristles;
     }

@@ -113,11 +113,12 @@ void Transfer::set_rates(const Stamp& stamp, const BrushInHand& hand, const Mode
   const double diameters =
       static_cast<double>(stamp.travel_m) / static_cast<double>(plan.pose.diameter_m);
   plan.dry_m = kDryFrac * model.max_medium_m;
-  const float pickup = std::max(settings.pickup, brush.absorb * pressure);
-  plan.pickup_frac = share_over(pickup, diameters);
+  plan.pickup_frac =
+      std::max(share_over(settings.pickup, diameters),
+               share_over(brush.absorb, diameters * (0.3 + 0.7 * static_cast<double>(pressure))));
   plan.lift.share_frac = plan.pickup_frac;
   plan.lift.residue = model.pigment_residue;
-  if (stamp.pressure >= 0)
+  if (stamp.pressure >= 0 && brush.absorb == 0)
     plan.lift.reach_frac = std::clamp(pressure * (0.5f + stiffness), 0.0f, 1.0f);
   plan.mix = {0.5f * pressure * share_over(settings.layer_mixing, diameters),
               model.pigment_residue};
