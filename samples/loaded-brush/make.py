@@ -37,11 +37,11 @@ def flower(p, x, y, size, colours):
     dip(p.recording, *colours)
     for n in range(9):
         petal(p, x, y, 2 * math.pi * (n / 9) + 0.3, size)
-    p.brush("round", size=0.26 * size, medium=0.9, pigment=1)
+    p.brush("round", size=0.16 * size, medium=0.6, pigment=1)
     p.color("gold")
     for n in range(7):
-        a = 0.9 * n
-        r = 0.12 * size * math.sqrt(n / 7)
+        a = 2.4 * n
+        r = 0.17 * size * math.sqrt(n / 7)
         px, py = x + r * math.cos(a), y + r * math.sin(a)
         p.stroke([(px, py), (px + 0.004, py + 0.003)], speed=0.2, taper=False)
 
@@ -55,19 +55,22 @@ def leaf(p, points):
 def main():
     recording = Recording(
         1.0, 0.75, (1024, 768), model={"scheme": "conservative"},
-        paper={"texture": "linen", "relief": 0.0004, "scale": 0.1, "reflectance": [0.3, 0.27, 0.22]},
+        paper={"texture": "linen", "relief": 0.0004, "scale": 0.1,
+               "reflectance": [0.3, 0.27, 0.22]},
         palette=[{"name": n, "color": c, "opacity": 0.9} for n, c in PALETTE.items()],
         title="Loaded brushes", recorded_by="samples/loaded-brush/make.py")
     p = Painter(recording, seed=5)
-    for points in ([(0.3, 0.5), (0.36, 0.62), (0.5, 0.7)], [(0.3, 0.5), (0.2, 0.58), (0.08, 0.6)],
-                   [(0.72, 0.4), (0.82, 0.52), (0.93, 0.54)], [(0.68, 0.42), (0.62, 0.56), (0.66, 0.68)],
-                   [(0.26, 0.2), (0.14, 0.14), (0.05, 0.17)], [(0.74, 0.2), (0.86, 0.12), (0.95, 0.17)]):
+    leaves = [[(0.3, 0.5), (0.36, 0.62), (0.5, 0.7)], [(0.3, 0.5), (0.2, 0.58), (0.08, 0.6)],
+              [(0.72, 0.4), (0.82, 0.52), (0.93, 0.54)], [(0.68, 0.42), (0.62, 0.56), (0.66, 0.68)],
+              [(0.26, 0.2), (0.14, 0.14), (0.05, 0.17)], [(0.74, 0.2), (0.86, 0.12), (0.95, 0.17)]]
+    for points in leaves:
         leaf(p, points)
     flower(p, 0.3, 0.34, 0.15, ("white", "crimson"))
     flower(p, 0.71, 0.28, 0.12, ("gold", "white", "night"))
     p.brush("bristle", size=0.075, medium=0.6, pigment=0.95, pickup=0.1, refill=0.02)
     dip(recording, "white", "gold", "crimson", "night")
-    p.stroke([(0.36, 0.1), (0.44, 0.05), (0.52, 0.1), (0.6, 0.06), (0.66, 0.06)], speed=0.4, tilt=(0, 0))
+    p.stroke([(0.36, 0.1), (0.44, 0.05), (0.52, 0.1), (0.6, 0.06), (0.66, 0.06)], speed=0.4,
+             tilt=(0, 0))
     recording.event("mark", name="end")
     recording.write(output_path(HERE / "loaded-brush.jsonl"))
 
