@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/fluid/conservative/kernel.h"
+
 namespace pentimento {
 
 namespace {
@@ -11,6 +13,12 @@ namespace {
 float between(const Rheology& r, float theta_per_m) {
   const float t = (theta_per_m - r.alpha_per_m) / (r.beta_per_m - r.alpha_per_m);
   return std::min(std::max(t, 0.0f), 1.0f);
+}
+
+PENTIMENTO_KERNEL
+void add_share_row(float share, const float* __restrict pigment, std::size_t count,
+                   float* __restrict out) {
+  for (std::size_t i = 0; i < count; ++i) out[i] += share * pigment[i];
 }
 
 float smooth_step(float t) {
@@ -48,20 +56,39 @@ void total_amount_row(const CanvasState& state, const std::vector<float>& amount
     for (int c = 0; c < state.channels; ++c) {
       const float share = amount[static_cast<std::size_t>(c)];
       if (share == 0.0f) continue;
-      const float* pigment = state.channel(layer, c).row(y) + begin;
-      for (std::size_t i = 0; i < count; ++i) out[i] += share * pigment[i];
+      add_share_row(share, state.channel(layer, c).row(y) + begin, count, out.data());
     }
 }
+
+namespace {
+
+PENTIMENTO_KERNEL
+void rheology_cells(const Rheology& rheology, float dry_film_m, const float* __restrict depth_m,
+                    const float* __restrict amount, std::size_t n, float* __restrict mobility_frac,
+                    float* __restrict viscosity_m2_s) {
+  const Rheology r = rheology;
+  PENTIMENTO_INDEPENDENT
+  for (std::size_t i = 0; i < n; ++i) {
+    const float bare = amount[i] > 0.0f ? std::numeric_limits<float>::infinity() : 0.0f;
+    const bool wet = depth_m[i] > 0.0f;
+    const float ratio = amount[i] / (wet ? depth_m[i] : 1.0f);
+    const float theta = wet ? ratio : bare;
+    const float linear = (theta - r.alpha_per_m) / (r.beta_per_m - r.alpha_per_m);
+    const float least = linear > 0.0f ? linear : 0.0f;
+    const float t = least < 1.0f ? least : 1.0f;
+    const float mobility = 1.0f - t * t * (3.0f - 2.0f * t);
+    mobility_frac[i] = depth_m[i] < dry_film_m ? 0.0f : mobility;
+    viscosity_m2_s[i] = r.nu_min_m2_s + t * (r.nu_max_m2_s - r.nu_min_m2_s);
+  }
+}
+
+}  // namespace
 
 void rheology_row(const Rheology& rheology, float dry_film_m, std::span<const float> depth_m,
                   std::span<const float> amount, std::span<float> mobility_frac,
                   std::span<float> viscosity_m2_s) {
-  const Rheology r = rheology;
-  for (std::size_t i = 0; i < depth_m.size(); ++i) {
-    const float t = between(r, pigment_per_volume(amount[i], depth_m[i]));
-    mobility_frac[i] = depth_m[i] < dry_film_m ? 0.0f : 1.0f - smooth_step(t);
-    viscosity_m2_s[i] = mixed_viscosity(r, t);
-  }
+  rheology_cells(rheology, dry_film_m, depth_m.data(), amount.data(), depth_m.size(),
+                 mobility_frac.data(), viscosity_m2_s.data());
 }
 
 }  // namespace pentimento

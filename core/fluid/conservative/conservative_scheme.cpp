@@ -1,6 +1,8 @@
 #include "core/fluid/conservative/conservative_scheme.h"
 
 #include <algorithm>
+#include <bit>
+#include <cstdint>
 
 #include "core/fluid/conservative/face_row.h"
 #include "core/fluid/conservative/force_row.h"
@@ -33,21 +35,16 @@ float positive(float x) {
   return x > 0 ? x : 0.0f;
 }
 
-// The largest |value| of a row, or `highest`. Sixteen maxima side by side: one alone would wait for
-// itself in every cell.
+// The largest |value| of a row, or `highest`. Positive floats are ordered as their bits are, and a
+// maximum of integers may be taken in any order: many at a time.
 PENTIMENTO_KERNEL
 float highest_row(const float* value, int n, float highest) {
-  constexpr int kLanes = 16;
-  float lane[kLanes] = {};
-  int i = 0;
-  for (; i + kLanes <= n; i += kLanes)
-    for (int k = 0; k < kLanes; ++k) {
-      const float size = value[i + k] < 0 ? -value[i + k] : value[i + k];
-      lane[k] = size > lane[k] ? size : lane[k];
-    }
-  for (; i < n; ++i) highest = std::max(highest, value[i] < 0 ? -value[i] : value[i]);
-  for (const float size : lane) highest = std::max(highest, size);
-  return highest;
+  std::int32_t most = std::bit_cast<std::int32_t>(highest);
+  for (int i = 0; i < n; ++i) {
+    const std::int32_t size = std::bit_cast<std::int32_t>(value[i]) & 0x7fffffff;
+    most = size > most ? size : most;
+  }
+  return std::bit_cast<float>(most);
 }
 
 FaceRow faces_at(NodePlanes& n, int x, int y) {
@@ -76,8 +73,10 @@ bool ConservativeScheme::step(CanvasState& state, const StepInput& in) {
   for (const int tile : tiles_->wake(state, in)) work_.clear(tiles_->box(tile));
   if (tiles_->awake_tiles().empty()) return false;
   work_.solver.set_runs(tiles_->runs());
+  passed("wake");
 
   settle_quanta(state, in);
+  passed("settle");
   const int parts = parts_of_step(in.model, tiles_->reach_cells());
   for (int part = 0; part < parts; ++part) {
     const BrushContact& contact = part == 0 ? in.contact : untouched_;  // the push, once
@@ -87,18 +86,26 @@ bool ConservativeScheme::step(CanvasState& state, const StepInput& in) {
                  part);
   }
   tiles_->fall_asleep(state, in, [&](const CellBox& b) { return feels_gravity(b); });
+  passed("sleep");
   account(state, in);
+  passed("account");
   return true;
 }
 
 void ConservativeScheme::part_of_step(CanvasState& state, const StepInput& in, int part) {
   transport(state, in, (state.step + part) % 2 == 0);
   find_rheology(state, in);
+  passed("rheology");
   find_faces(state, in);
+  passed("faces");
   apply_viscosity(state, in);
+  passed("viscosity");
   apply_forces(in);
+  passed("forces");
   solve_height(state, in);
+  passed("height");
   finish(state, in);
+  passed("finish");
 }
 
 void ConservativeScheme::transport(CanvasState& state, const StepInput& in, bool even) {
@@ -106,8 +113,15 @@ void ConservativeScheme::transport(CanvasState& state, const StepInput& in, bool
   const Axis second = even ? Axis::kY : Axis::kX;
   fill_node_masses(state, *tiles_, in.threads, work_);
   fill_node_velocities(state, *tiles_, in.threads, work_);
-  for (const Axis axis : {first, second}) move_momentum(state, in, axis, *tiles_, work_);
-  for (const Axis axis : {first, second}) move_paint(state, in, axis, *tiles_);
+  passed("masses");
+  for (const Axis axis : {first, second}) {
+    move_momentum(state, in, axis, *tiles_, work_);
+    passed(axis == Axis::kX ? "momentum_x" : "momentum_y");
+  }
+  for (const Axis axis : {first, second}) {
+    move_paint(state, in, axis, *tiles_);
+    passed(axis == Axis::kX ? "paint_x" : "paint_y");
+  }
   if (in.follower == nullptr) return;
   in.follower->edges().x_first = even;
   in.follower->moved(state, in, tiles_->runs());
@@ -254,18 +268,13 @@ bool ConservativeScheme::feels_gravity(const CellBox& b) const {
 }
 
 void ConservativeScheme::account(const CanvasState& state, const StepInput& in) {
-  const std::vector<int>& awake = tiles_->awake_tiles();
-  std::vector<float> speed(awake.size()), depth(awake.size());
-  in.threads.for_ranges(0, static_cast<int>(awake.size()), 16, [&](int begin, int end) {
-    for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
-      const CellBox b = tiles_->box(awake[k]);
-      for (int y = b.y0; y < b.y1; ++y) {
-        const int n = b.x1 - b.x0;
-        depth[k] = highest_row(state.depth_m.row(y) + b.x0, n, depth[k]);
-        speed[k] = highest_row(state.velocity_x_m_s.row(y) + b.x0, n, speed[k]);
-        speed[k] = highest_row(state.velocity_y_m_s.row(y) + b.x0, n, speed[k]);
-      }
-    }
+  const std::vector<Run>& runs = tiles_->runs();
+  std::vector<float> speed(runs.size()), depth(runs.size());
+  for_runs(in.threads, runs, [&](const Run& r) {
+    const auto k = static_cast<std::size_t>(&r - runs.data());
+    depth[k] = highest_row(state.depth_m.row(r.y) + r.x0, r.size(), 0);
+    speed[k] = highest_row(state.velocity_x_m_s.row(r.y) + r.x0, r.size(), 0);
+    speed[k] = highest_row(state.velocity_y_m_s.row(r.y) + r.x0, r.size(), speed[k]);
   });
   for (const float s : speed) speed_max_m_s_ = std::max(speed_max_m_s_, static_cast<double>(s));
   for (const float d : depth) depth_max_m_ = std::max(depth_max_m_, static_cast<double>(d));

@@ -10,7 +10,9 @@
 // velocity_x_m_s(i, j) lives on the right face of cell (i, j), velocity_y_m_s(i, j) on its lower
 // face; the last column and row are walls and hold 0.
 
+#include <functional>
 #include <memory>
+#include <utility>
 
 #include "core/fluid/conservative/tiles.h"
 #include "core/fluid/conservative/workspace.h"
@@ -24,8 +26,15 @@ class ConservativeScheme : public FluidScheme {
 
   bool step(CanvasState& state, const StepInput& in) override;
   std::vector<std::pair<std::string, double>> statistics() const override;
+  /// Share of the tiles that were awake in the last step.
+  double awake_share() const { return tiles_ ? tiles_->awake_share() : 0; }
+  /// Called after each pass of a step with its name; for measuring.
+  void on_pass(std::function<void(const char* pass)> done) { passed_ = std::move(done); }
 
  private:
+  void passed(const char* pass) const {
+    if (passed_) passed_(pass);
+  }
   void part_of_step(CanvasState& state, const StepInput& in, int part);
   void transport(CanvasState& state, const StepInput& in, bool even);
   void find_rheology(const CanvasState& state, const StepInput& in);
@@ -40,6 +49,7 @@ class ConservativeScheme : public FluidScheme {
   CanvasGeometry geometry_;
   std::unique_ptr<Tiles> tiles_;  // made at the first step: their size is a parameter
   Workspace work_;
+  std::function<void(const char*)> passed_;
   BrushContact untouched_;  // of no size: nothing is touched
   double steps_ = 0;
   double awake_share_sum_ = 0;

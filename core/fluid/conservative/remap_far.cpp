@@ -9,21 +9,15 @@ namespace pentimento::conservative {
 namespace {
 
 struct Image {
-  int lane = 0;              // which line of the block
   float begin = 0, end = 0;  // in cells along the line, begin <= end
   bool reversed = false;
 };
 
-Image image_of(const RemapPlan& plan, int index) {
-  const int length = plan.cells() / plan.step;
-  const int at = index / plan.step;
-  const auto cell = static_cast<std::size_t>(index);
+Image image_of(const FarCell& cell, int length) {
   const auto clamped = [&](float x) { return std::clamp(x, 0.0f, static_cast<float>(length)); };
   Image image;
-  image.lane = index % plan.step;
-  image.begin = clamped(static_cast<float>(at) + plan.edge[cell]);
-  image.end =
-      clamped(static_cast<float>(at + 1) + plan.edge[cell + static_cast<std::size_t>(plan.step)]);
+  image.begin = clamped(static_cast<float>(cell.at) + cell.edge_lo);
+  image.end = clamped(static_cast<float>(cell.at + 1) + cell.edge_hi);
   image.reversed = image.end < image.begin;
   if (image.reversed) std::swap(image.begin, image.end);
   return image;
@@ -61,43 +55,42 @@ std::vector<FarCell> take_far_cells(const RemapPlan& plan, const RemapOptions& o
     const float above = value[i + plan.step] - value[i];
     const float slope =
         options.superbee ? limited_superbee(below, above) : limited_mc(below, above);
-    far.push_back({i, value[i], slope});
+    const auto cell = static_cast<std::size_t>(i);
+    const auto next = static_cast<std::size_t>(i + plan.step);
+    far.push_back(
+        {i / plan.step, i % plan.step, plan.edge[cell], plan.edge[next], value[i], slope});
   }
   return far;
 }
 
-void put_far_cells(const RemapPlan& plan, const RemapOptions& options,
-                   const std::vector<FarCell>& far, float* value) {
-  const int length = plan.cells() / plan.step;
+void put_far_cells(const std::vector<FarCell>& far, int length, float rounder,
+                   const FarTarget& value) {
   for (const FarCell& cell : far) {
-    const Image image = image_of(plan, cell.index);
     float left = cell.value;
-    const auto target = [&](int at) -> float& { return value[at * plan.step + image.lane]; };
     for_parts(
-        image, length, cell.slope / cell.value,
+        image_of(cell, length), length, cell.slope / cell.value,
         [&](int at, float share) {
-          const float part = std::clamp(rounded(share * cell.value, options.rounder), 0.0f, left);
-          target(at) += part;
+          const float part = std::clamp(rounded(share * cell.value, rounder), 0.0f, left);
+          value(at, cell.lane) += part;
           left -= part;
         },
-        [&](int at) { target(at) += left; });
+        [&](int at) { value(at, cell.lane) += left; });
   }
 }
 
-void put_far_momentum(const RemapPlan& plan, const std::vector<FarCell>& far,
-                      const std::vector<float>& speed, float* value, float* momentum) {
-  const int length = plan.cells() / plan.step;
+void put_far_momentum(const std::vector<FarCell>& far, const std::vector<float>& speed, int length,
+                      const FarTarget& value, const FarTarget& momentum) {
   for (std::size_t k = 0; k < far.size(); ++k) {
-    const Image image = image_of(plan, far[k].index);
-    float left = far[k].value;
+    const FarCell& cell = far[k];
+    float left = cell.value;
     const auto put = [&](int at, float part) {
-      value[at * plan.step + image.lane] += part;
-      momentum[at * plan.step + image.lane] += part * speed[k];
+      value(at, cell.lane) += part;
+      momentum(at, cell.lane) += part * speed[k];
       left -= part;
     };
     for_parts(
-        image, length, far[k].slope / far[k].value,
-        [&](int at, float share) { put(at, std::clamp(share * far[k].value, 0.0f, left)); },
+        image_of(cell, length), length, cell.slope / cell.value,
+        [&](int at, float share) { put(at, std::clamp(share * cell.value, 0.0f, left)); },
         [&](int at) { put(at, left); });
   }
 }

@@ -62,11 +62,14 @@ void remap_momentum_block(const RemapPlan& plan, const RemapOptions& options,
 
   const std::vector<FarCell> far = take_far_cells(plan, unrounded, mass);
   std::vector<float> speed;
-  for (const FarCell& cell : far) speed.push_back(velocity[cell.index]);
+  for (const FarCell& cell : far) speed.push_back(velocity[cell.at * step + cell.lane]);
   times_row(mass, velocity, n);
   remap_gather_row(plan, lo, hi, mass);
   remap_gather_row(plan, momentum_lo, momentum_hi, velocity);
-  put_far_momentum(plan, far, speed, mass, velocity);
+  const auto at_cell = [&](float* plane) {
+    return [plane, step](int at, int lane) -> float& { return plane[at * step + lane]; };
+  };
+  if (!far.empty()) put_far_momentum(far, speed, n / step, at_cell(mass), at_cell(velocity));
   velocity_row(mass, velocity, n);
 }
 

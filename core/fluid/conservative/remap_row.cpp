@@ -83,7 +83,9 @@ void remap_block(const RemapPlan& plan, const RemapOptions& options, RemapScratc
   remap_flux_row(plan, options, value, lo, hi);
   const std::vector<FarCell> far = take_far_cells(plan, options, value);
   remap_gather_row(plan, lo, hi, value);
-  put_far_cells(plan, options, far, value);
+  if (far.empty()) return;
+  put_far_cells(far, plan.cells() / step, options.rounder,
+                [&](int at, int lane) -> float& { return value[at * step + lane]; });
 }
 
 }  // namespace pentimento::conservative
