@@ -2,6 +2,8 @@
 // A rectangle of cells as the flat array the remap works on (remap_plan.h): one run of a row that
 // moves along x, or one strip of columns that moves along y. Loads, stores, edge displacements.
 
+#include <algorithm>
+
 #include "core/fluid/conservative/remap_row.h"
 #include "core/fluid/conservative/tiles.h"
 #include "core/fluid/conservative/transport.h"
@@ -64,6 +66,27 @@ void for_blocks(const Tiles& tiles, Axis axis, const Threads& threads, const Bod
       body(begin, end, [&](int k) { return Block{strips[static_cast<std::size_t>(k)], axis}; });
     });
   }
+}
+
+/// The same for blocks that move along y row by row: strips side by side that begin and end in the
+/// same rows, up to 256 columns together; what the window of such a block needs fits a core's
+/// cache.
+template <typename Body>
+void for_wide_blocks(const Tiles& tiles, const Threads& threads, const Body& body) {
+  constexpr int kWidth = 256;
+  std::vector<CellBox> wide;
+  for (const CellBox& strip : tiles.strips()) {
+    const auto same = std::find_if(wide.begin(), wide.end(), [&](const CellBox& b) {
+      return b.x1 == strip.x0 && b.y0 == strip.y0 && b.y1 == strip.y1 && strip.x1 - b.x0 <= kWidth;
+    });
+    if (same == wide.end())
+      wide.push_back(strip);
+    else
+      same->x1 = strip.x1;
+  }
+  threads.for_ranges(0, static_cast<int>(wide.size()), 1, [&](int begin, int end) {
+    body(begin, end, [&](int k) { return Block{wide[static_cast<std::size_t>(k)], Axis::kY}; });
+  });
 }
 
 }  // namespace pentimento::conservative

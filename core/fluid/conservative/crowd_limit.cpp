@@ -45,6 +45,23 @@ void push_backward(const CrowdLines& lines, const float* __restrict depth, float
 
 }  // namespace
 
+PENTIMENTO_KERNEL
+int count_crowded_row(const CrowdRow& row, float most_m, int n) {
+  const float* __restrict lo = row.edge_lo;
+  const float* __restrict hi = row.edge_hi;
+  const float* __restrict before = row.depth_before;
+  const float* __restrict here = row.depth;
+  const float* __restrict after = row.depth_after;
+  const float per_most = 1 / most_m;
+  int crowded = 0;
+  for (int i = 0; i < n; ++i) {
+    const float beside = before[i] > after[i] ? before[i] : after[i];
+    const float most = (here[i] > beside ? here[i] : beside) * per_most;
+    crowded += 1 + hi[i] - lo[i] < (most < 1 ? most : 1.0f) ? 1 : 0;
+  }
+  return crowded;
+}
+
 bool limit_crowding(const CrowdLines& lines, const float* depth_m, float* edge) {
   if (count_crowded(lines, depth_m, edge) == 0) return false;
   push_forward(lines, depth_m, edge);

@@ -11,6 +11,9 @@ struct CrowdLines {
   float most_m = 0;  // depth that motion may not exceed
 };
 
+/// Of max_medium: how high motion may pile paint; 1.2 with rounding.
+constexpr float kMostDepthShare = 1.19f;
+
 /// Moves edges that came closer than the paint between them allows.
 ///   x_i = i + D_i; x_{i+1} - x_i >= min(1, d_i / most), d_i the deepest of the cell and its two
 ///   neighbours along the line: forward, then backward from the far wall
@@ -21,5 +24,16 @@ struct CrowdLines {
 /// Departs from it: nothing.
 /// `depth_m` has `step` cells before and after; `edge` as in RemapPlan. Returns whether any moved.
 bool limit_crowding(const CrowdLines& lines, const float* depth_m, float* edge);
+
+/// A row of cells: their two rows of edges, their depth and that of their neighbours.
+struct CrowdRow {
+  const float* edge_lo;
+  const float* edge_hi;
+  const float* depth_before;
+  const float* depth;
+  const float* depth_after;
+};
+/// How many cells of a row limit_crowding would find too narrow.
+int count_crowded_row(const CrowdRow& row, float most_m, int n);
 
 }  // namespace pentimento::conservative

@@ -9,9 +9,6 @@
 namespace pentimento::conservative {
 namespace {
 
-constexpr float kMostDepth =
-    1.19f;  // of max_medium: how high motion may pile paint; 1.2 with rounding
-
 // Everything one thread needs to move the paint of a block; buffers are kept between blocks.
 class PaintMover {
  public:
@@ -81,7 +78,7 @@ class PaintMover {
     float* value = scratch_.cells(scratch_.value, plan_.step);
     load_block(b, state_.depth_m, value);
     mirror_ends(value, b.cells(), plan_.step);
-    const CrowdLines lines{b.cells() / plan_.step, plan_.step, kMostDepth * in_.model.max_medium_m};
+    const CrowdLines lines{b.cells() / plan_.step, plan_.step, kMostDepthShare * in_.model.max_medium_m};
     if (limit_crowding(lines, value, plan_.edge.data()))
       for (std::size_t e = 0; e < plan_.edge.size(); ++e)
         flow_[e] = plan_.edge[e] - 0.5f * push_[e];  // the layers give way with it
@@ -145,11 +142,18 @@ class PaintMover {
 
 }  // namespace
 
-void move_paint(CanvasState& state, const StepInput& in, Axis axis, const Tiles& tiles) {
+void move_paint_in_blocks(CanvasState& state, const StepInput& in, Axis axis, const Tiles& tiles) {
   for_blocks(tiles, axis, in.threads, [&](int begin, int end, const auto& block_at) {
     PaintMover mover(state, in, axis);
     for (int k = begin; k < end; ++k) mover.move(block_at(k));
   });
+}
+
+void move_paint(CanvasState& state, const StepInput& in, Axis axis, const Tiles& tiles) {
+  if (axis == Axis::kX)
+    move_paint_in_blocks(state, in, axis, tiles);
+  else
+    stream_paint_down(state, in, tiles);
 }
 
 }  // namespace pentimento::conservative

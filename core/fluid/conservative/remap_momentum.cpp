@@ -31,6 +31,8 @@ void times_row(const float* __restrict mass, float* __restrict velocity, int cel
   for (int i = 0; i < cells; ++i) velocity[i] *= mass[i];
 }
 
+}  // namespace
+
 PENTIMENTO_KERNEL
 void velocity_row(float* __restrict mass, float* __restrict momentum, int cells) {
   constexpr float kNothing = 1e-9f;  // metres of paint that carry no momentum worth keeping
@@ -40,8 +42,6 @@ void velocity_row(float* __restrict mass, float* __restrict momentum, int cells)
     mass[i] = some ? mass[i] : 0.0f;
   }
 }
-
-}  // namespace
 
 void remap_momentum_block(const RemapPlan& plan, const RemapOptions& options,
                           RemapScratch& scratch) {

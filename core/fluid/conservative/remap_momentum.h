@@ -15,4 +15,8 @@ namespace pentimento::conservative {
 void remap_momentum_block(const RemapPlan& plan, const RemapOptions& options,
                           RemapScratch& scratch);
 
+/// The last step of it, on a row: momentum becomes velocity, and nodes with next to no paint are
+/// emptied.
+void velocity_row(float* mass, float* momentum, int cells);
+
 }  // namespace pentimento::conservative

@@ -29,4 +29,9 @@ void move_momentum(const CanvasState& state, const StepInput& in, Axis axis, con
 /// exceeds the residue moves (R19).
 void move_paint(CanvasState& state, const StepInput& in, Axis axis, const Tiles& tiles);
 
+/// The two ways to do it: block by block, each in a flat array, along either axis; or along y in
+/// place, row after row (remap_stream.h). The same bits; the second is the faster along y.
+void move_paint_in_blocks(CanvasState& state, const StepInput& in, Axis axis, const Tiles& tiles);
+void stream_paint_down(CanvasState& state, const StepInput& in, const Tiles& tiles);
+
 }  // namespace pentimento::conservative

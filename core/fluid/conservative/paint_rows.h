@@ -1,0 +1,30 @@
+#pragma once
+// Small row kernels of moving paint (move_paint.cpp, stream_paint.cpp): displacements, which layers
+// a cell has, how much of the bottom layer is free. All are pointwise and exact: no scheme, nothing
+// evolves.
+
+namespace pentimento::conservative {
+
+/// out = (u dt) per_m: displacement in cells.
+void flow_row(const float* velocity_m_s, float dt_s, float per_m, int n, float* out);
+/// out = (here + next)/2 per_m: the brush's push on the face between two cells, in cells.
+void push_row(const float* here_m, const float* next_m, float per_m, int n, float* out);
+/// out = flow + push/2: (k + 1/2)/n is 1/2 in the mean over layers.
+void depth_edge_row(const float* flow, const float* push, int n, float* out);
+/// flow = edge - push/2.
+void flow_of_edge_row(const float* edge, const float* push, int n, float* flow);
+/// occupied = count where there is any of `amount`; returns whether there is any at all.
+bool count_layer_row(const float* amount, float count, int n, float* occupied);
+/// sum += weight amount.
+void weigh_row(const float* amount, float weight, int n, float* sum);
+/// sum of pigment -> the share of it that exceeds `residue` (R19).
+void free_share_row(float residue, int n, float* sum_to_share);
+/// held = value - free; free = share value in whole quanta. `free` may be `value` itself.
+void hold_row(const float* value, const float* share, float rounder, int n, float* held,
+              float* free);
+/// value += held.
+void release_row(const float* held, int n, float* value);
+/// Whether any edge moves at all.
+bool any_motion_row(const float* edge, int n);
+
+}  // namespace pentimento::conservative
