@@ -28,7 +28,8 @@ Basin running_canvas(int threads) {
       const float d = 0.002f + 0.0004f * static_cast<float>((x / 8 + 2 * (y / 8)) % 5);
       b.state.depth_m(x, y) = d;
       for (int k = 0; k < 2; ++k)
-        for (int c = 0; c < 4; ++c) b.state.channel(k, c)(x, y) = 0.25f * d * static_cast<float>(k + 1);
+        for (int c = 0; c < 4; ++c)
+          b.state.channel(k, c)(x, y) = 0.25f * d * static_cast<float>(k + 1);
     }
   b.steps(5);
   return b;

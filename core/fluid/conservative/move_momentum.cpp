@@ -2,7 +2,9 @@
 
 #include "core/fluid/conservative/block.h"
 #include "core/fluid/conservative/kernel.h"
+#include "core/fluid/conservative/paint_rows.h"
 #include "core/fluid/conservative/remap_momentum.h"
+#include "core/fluid/conservative/remap_stream.h"
 #include "core/fluid/conservative/transport.h"
 
 namespace pentimento::conservative {
@@ -50,7 +52,23 @@ void fill_edges(const Block& b, float to_cells, const Field<float>& velocity, co
   });
 }
 
-struct Mover {
+// Displacements of the edges of a block for the nodes of both components.
+struct MomentumEdges {
+  const CanvasState& state;
+  float to_cells;
+  Axis axis;
+  const WorkPlane& mass;  // of the nodes that move along their own axis
+
+  // `along`: edges between nodes of that component; else between those of the other.
+  void fill(const Block& b, bool along, std::vector<float>& edge) const {
+    const bool next_column = (axis == Axis::kX) == along;
+    const Field<float>& u = axis == Axis::kX ? state.velocity_x_m_s : state.velocity_y_m_s;
+    std::fill(edge.begin(), edge.end(), 0.0f);
+    fill_edges(b, to_cells, u, mass, next_column ? Offset{1, 0} : Offset{0, 1}, edge.data());
+  }
+};
+
+struct BlockMover {
   RemapPlan plan;
   RemapScratch scratch;
 
@@ -61,6 +79,57 @@ struct Mover {
     remap_momentum_block(plan, options, scratch);
     store_block(b, scratch.cells(scratch.value, plan.step), nodes.mass_m);
     store_block(b, scratch.cells(scratch.momentum, plan.step), nodes.velocity_m_s);
+  }
+};
+
+// Moves a block of columns along y row by row, in place.
+struct RowMover {
+  std::vector<float> edge;
+  EdgeStream edges;
+  MomentumStream stream;
+  int n = 0;
+
+  void resize(const Block& b) {
+    edge.resize(static_cast<std::size_t>(b.cells() + b.width()));
+    if (b.width() == n) return;
+    n = b.width();
+    edges.resize(n);
+    stream.resize(n);
+  }
+
+  void move(const Block& b, const RemapOptions& options, NodePlanes& nodes) {
+    constexpr float kNear = 0.49f;  // edges that move no further leave no cell shorter than 1/64
+    const int height = b.height();
+    const auto edge_row = [&](int r) { return edge.data() + r * n; };
+    const auto row_of = [&](WorkPlane& plane, int r) { return plane.row(b.box.y0 + r) + b.box.x0; };
+    const auto rows_of = [&](WorkPlane& plane, int r) {
+      return ThreeRows{row_of(plane, std::max(r - 1, 0)), row_of(plane, r),
+                       row_of(plane, std::min(r + 1, height - 1))};
+    };
+    const bool all_near = !any_beyond_row(edge.data(), kNear, static_cast<int>(edge.size()));
+    stream.begin();
+    for (int r = 0; r <= height; ++r) {
+      if (r < height) {
+        const bool moves = any_motion_row(edge_row(r), 2 * n);
+        edges.plan(r, edge_row(r), edge_row(r + 1), moves);
+        stream.flux(edges, options, r, rows_of(nodes.mass_m, r), rows_of(nodes.velocity_m_s, r));
+      } else {
+        stream.end(r);
+      }
+      if (r > 0)
+        stream.gather(edges, r - 1, row_of(nodes.mass_m, r - 1), row_of(nodes.velocity_m_s, r - 1),
+                      all_near);
+    }
+    if (all_near) return;
+    const auto target = [&](WorkPlane& plane) {
+      return [&plane, &b](int r, int lane) -> float& {
+        return plane.row(b.box.y0 + r)[b.box.x0 + lane];
+      };
+    };
+    put_far_momentum(stream.far(), stream.far_speed(), height, target(nodes.mass_m),
+                     target(nodes.velocity_m_s));
+    for (int r = 0; r < height; ++r)
+      velocity_row(row_of(nodes.mass_m, r), row_of(nodes.velocity_m_s, r), n);
   }
 };
 
@@ -94,28 +163,41 @@ void fill_node_velocities(const CanvasState& state, const Tiles& tiles, const Th
   });
 }
 
-void move_momentum(const CanvasState& state, const StepInput& in, Axis axis, const Tiles& tiles,
-                   Workspace& work) {
+void move_momentum_in_blocks(const CanvasState& state, const StepInput& in, Axis axis,
+                             const Tiles& tiles, Workspace& work) {
   const RemapOptions options{in.model.superbee, 0};
-  const Field<float>& u = axis == Axis::kX ? state.velocity_x_m_s : state.velocity_y_m_s;
-  const float to_cells =
-      in.dt_s / (axis == Axis::kX ? state.geometry.dx_m() : state.geometry.dy_m());
+  const float cell_m = axis == Axis::kX ? state.geometry.dx_m() : state.geometry.dy_m();
   NodePlanes& along = axis == Axis::kX ? work.x : work.y;
   NodePlanes& across = axis == Axis::kX ? work.y : work.x;
-  const Offset right{1, 0}, down{0, 1};
-  const Offset to_next = axis == Axis::kX ? right : down;
-  const Offset to_side = axis == Axis::kX ? down : right;
+  const MomentumEdges edges{state, in.dt_s / cell_m, axis, along.first_mass_m};
   for_blocks(tiles, axis, in.threads, [&](int begin, int end, const auto& block_at) {
-    Mover mover;
+    BlockMover mover;
     for (int k = begin; k < end; ++k) {
       const Block b = block_at(k);
       mover.plan.resize(b.cells(), b.step());
       mover.scratch.resize(b.cells(), b.step());
-      std::fill(mover.plan.edge.begin(), mover.plan.edge.end(), 0.0f);
-      fill_edges(b, to_cells, u, along.first_mass_m, to_next, mover.plan.edge.data());
+      edges.fill(b, true, mover.plan.edge);
       mover.move(b, options, along);
-      fill_edges(b, to_cells, u, along.first_mass_m, to_side, mover.plan.edge.data());
+      edges.fill(b, false, mover.plan.edge);
       mover.move(b, options, across);
+    }
+  });
+}
+
+void move_momentum(const CanvasState& state, const StepInput& in, Axis axis, const Tiles& tiles,
+                   Workspace& work) {
+  if (axis == Axis::kX) return move_momentum_in_blocks(state, in, axis, tiles, work);
+  const RemapOptions options{in.model.superbee, 0};
+  const MomentumEdges edges{state, in.dt_s / state.geometry.dy_m(), axis, work.y.first_mass_m};
+  for_wide_blocks(tiles, in.threads, [&](int begin, int end, const auto& block_at) {
+    RowMover mover;
+    for (int k = begin; k < end; ++k) {
+      const Block b = block_at(k);
+      mover.resize(b);
+      edges.fill(b, true, mover.edge);
+      mover.move(b, options, work.y);
+      edges.fill(b, false, mover.edge);
+      mover.move(b, options, work.x);
     }
   });
 }

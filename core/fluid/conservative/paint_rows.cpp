@@ -16,8 +16,7 @@ void flow_row(const float* __restrict velocity_m_s, float dt_s, float per_m, int
 }
 
 PENTIMENTO_KERNEL
-void push_row(const float* here_m, const float* next_m, float per_m, int n,
-              float* __restrict out) {
+void push_row(const float* here_m, const float* next_m, float per_m, int n, float* __restrict out) {
   PENTIMENTO_INDEPENDENT
   for (int i = 0; i < n; ++i) out[i] = 0.5f * (here_m[i] + next_m[i]) * per_m;
 }
@@ -89,6 +88,13 @@ bool any_motion_row(const float* edge, int n) {
   std::int32_t any = 0;
   for (int i = 0; i < n; ++i) any |= std::bit_cast<std::int32_t>(edge[i]) & 0x7fffffff;
   return any != 0;
+}
+
+PENTIMENTO_KERNEL
+bool any_beyond_row(const float* edge, float limit, int n) {
+  int beyond = 0;
+  for (int i = 0; i < n; ++i) beyond |= edge[i] > limit || edge[i] < -limit ? 1 : 0;
+  return beyond != 0;
 }
 
 }  // namespace pentimento::conservative

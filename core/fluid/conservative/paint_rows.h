@@ -26,5 +26,7 @@ void hold_row(const float* value, const float* share, float rounder, int n, floa
 void release_row(const float* held, int n, float* value);
 /// Whether any edge moves at all.
 bool any_motion_row(const float* edge, int n);
+/// Whether any edge moves further than `limit`.
+bool any_beyond_row(const float* edge, float limit, int n);
 
 }  // namespace pentimento::conservative

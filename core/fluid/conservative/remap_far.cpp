@@ -44,6 +44,10 @@ void for_parts(const Image& image, int length, float relative_slope, const Put& 
   put_rest(last);
 }
 
+float far_slope(const RemapOptions& options, float below, float above) {
+  return options.superbee ? limited_superbee(below, above) : limited_mc(below, above);
+}
+
 }  // namespace
 
 std::vector<FarCell> take_far_cells(const RemapPlan& plan, const RemapOptions& options,
@@ -51,16 +55,26 @@ std::vector<FarCell> take_far_cells(const RemapPlan& plan, const RemapOptions& o
   std::vector<FarCell> far;
   for (const int i : plan.far) {
     if (value[i] == 0) continue;
-    const float below = value[i] - value[i - plan.step];
-    const float above = value[i + plan.step] - value[i];
     const float slope =
-        options.superbee ? limited_superbee(below, above) : limited_mc(below, above);
+        far_slope(options, value[i] - value[i - plan.step], value[i + plan.step] - value[i]);
     const auto cell = static_cast<std::size_t>(i);
     const auto next = static_cast<std::size_t>(i + plan.step);
     far.push_back(
         {i / plan.step, i % plan.step, plan.edge[cell], plan.edge[next], value[i], slope});
   }
   return far;
+}
+
+std::vector<FarCell> take_far_cells(const std::vector<int>& far, const float* edge,
+                                    const RemapOptions& options, const ThreeRows& value) {
+  std::vector<FarCell> taken;
+  for (const int i : far) {
+    if (value.here[i] == 0) continue;
+    const float slope =
+        far_slope(options, value.here[i] - value.before[i], value.after[i] - value.here[i]);
+    taken.push_back({i, 0, edge[i], edge[i + 1], value.here[i], slope});
+  }
+  return taken;
 }
 
 void put_far_cells(const std::vector<FarCell>& far, int length, float rounder,

@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "core/fluid/conservative/remap_row.h"
+#include "core/fluid/conservative/remap_rows.h"
 
 namespace pentimento::conservative {
 
@@ -23,6 +23,10 @@ using FarTarget = std::function<float&(int at, int lane)>;
 /// The cells that the plan marks; `value` has valid ghosts.
 std::vector<FarCell> take_far_cells(const RemapPlan& plan, const RemapOptions& options,
                                     const float* value);
+
+/// The same of a single line: cells `far` of it, between the edges i and i + 1 of `edge`.
+std::vector<FarCell> take_far_cells(const std::vector<int>& far, const float* edge,
+                                    const RemapOptions& options, const ThreeRows& value);
 
 /// Adds each far cell where it lands.
 ///   image [x_lo + D_lo, x_hi + D_hi], cut at the block's ends; ends swapped if reversed; each

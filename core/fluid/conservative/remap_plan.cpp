@@ -34,22 +34,18 @@ void plan_remap_row(const float* __restrict edge_lo, const float* __restrict edg
   }
 }
 
-namespace {
-
 PENTIMENTO_KERNEL
-int count_far(const float* __restrict stay, int cells) {
+int count_far_row(const float* __restrict stay, int cells) {
   int far = 0;
   for (int i = 0; i < cells; ++i) far += stay[i] == 0 ? 1 : 0;
   return far;
 }
 
-}  // namespace
-
 void plan_remap(RemapPlan& plan) {
   plan_remap_row(plan.edge.data(), plan.edge.data() + plan.step, plan.cells(), plan.tau_lo.data(),
                  plan.tau_hi.data(), plan.stay.data());
   plan.far.clear();
-  if (count_far(plan.stay.data(), plan.cells()) == 0) return;
+  if (count_far_row(plan.stay.data(), plan.cells()) == 0) return;
   for (int i = 0; i < plan.cells(); ++i)
     if (plan.stay[static_cast<std::size_t>(i)] == 0) plan.far.push_back(i);
 }

@@ -34,5 +34,7 @@ void plan_remap(RemapPlan& plan);
 /// Departs from it: edges move with the velocity at their start (first order in time).
 void plan_remap_row(const float* edge_lo, const float* edge_hi, int cells, float* tau_lo,
                     float* tau_hi, float* stay);
+/// How many cells move far.
+int count_far_row(const float* stay, int cells);
 
 }  // namespace pentimento::conservative

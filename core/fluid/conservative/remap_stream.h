@@ -9,6 +9,7 @@
 
 #include "core/field.h"
 #include "core/fluid/conservative/remap_far.h"
+#include "core/fluid/conservative/remap_rows.h"
 
 namespace pentimento::conservative {
 
@@ -45,14 +46,6 @@ class EdgeStream {
   std::vector<int> far_;  // cells of the row planned last that move far
   const float* edge_lo_ = nullptr;
   const float* edge_hi_ = nullptr;
-};
-
-/// Rows of one plane as they were, around the row that was planned last. At the ends of a line the
-/// missing row is the row itself.
-struct ThreeRows {
-  const float* before;
-  const float* here;
-  const float* after;
 };
 
 /// One quantity on its way through the window.

@@ -24,14 +24,18 @@ void fill_node_velocities(const CanvasState& state, const Tiles& tiles, const Th
 void move_momentum(const CanvasState& state, const StepInput& in, Axis axis, const Tiles& tiles,
                    Workspace& work);
 
+/// The plain way to do it, along either axis: block after block, each in flat arrays. The same
+/// bits; along y, move_momentum goes row by row in place (remap_stream.h).
+void move_momentum_in_blocks(const CanvasState& state, const StepInput& in, Axis axis,
+                             const Tiles& tiles, Workspace& work);
+
 /// Moves depth with the velocity plus half the brush's push, and every channel of layer k of n
 /// with (k + 1/2)/n of Model::layer_speed velocities plus the push (R18). Of layer 0, only what
 /// exceeds the residue moves (R19).
-void move_paint(CanvasState& state, const StepInput& in, Axis axis, const Tiles& tiles);
-
-/// The two ways to do it: block by block, each in a flat array, along either axis; or along y in
-/// place, row after row (remap_stream.h). The same bits; the second is the faster along y.
-void move_paint_in_blocks(CanvasState& state, const StepInput& in, Axis axis, const Tiles& tiles);
-void stream_paint_down(CanvasState& state, const StepInput& in, const Tiles& tiles);
+void move_paint_along_x(CanvasState& state, const StepInput& in, const Tiles& tiles);
+void move_paint_along_y(CanvasState& state, const StepInput& in, const Tiles& tiles);
+inline void move_paint(CanvasState& state, const StepInput& in, Axis axis, const Tiles& tiles) {
+  axis == Axis::kX ? move_paint_along_x(state, in, tiles) : move_paint_along_y(state, in, tiles);
+}
 
 }  // namespace pentimento::conservative

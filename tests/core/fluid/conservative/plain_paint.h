@@ -1,3 +1,7 @@
+#pragma once
+// The plain twin of moving paint: block after block, each quantity copied into a flat array, moved
+// there by remap_block and copied back. Any axis.
+
 #include <algorithm>
 
 #include "core/fluid/conservative/block.h"
@@ -7,12 +11,10 @@
 #include "core/fluid/conservative/transport.h"
 
 namespace pentimento::conservative {
-namespace {
-
 // Everything one thread needs to move the paint of a block; buffers are kept between blocks.
-class PaintMover {
+class PlainPaintMover {
  public:
-  PaintMover(CanvasState& state, const StepInput& in, Axis axis)
+  PlainPaintMover(CanvasState& state, const StepInput& in, Axis axis)
       : state_(state), in_(in), axis_(axis) {
     amount_.superbee = depth_.superbee = in.model.superbee;
     depth_.rounder = rounder_for(quantum_for(in.model.max_medium_m));
@@ -78,7 +80,8 @@ class PaintMover {
     float* value = scratch_.cells(scratch_.value, plan_.step);
     load_block(b, state_.depth_m, value);
     mirror_ends(value, b.cells(), plan_.step);
-    const CrowdLines lines{b.cells() / plan_.step, plan_.step, kMostDepthShare * in_.model.max_medium_m};
+    const CrowdLines lines{b.cells() / plan_.step, plan_.step,
+                           kMostDepthShare * in_.model.max_medium_m};
     if (limit_crowding(lines, value, plan_.edge.data()))
       for (std::size_t e = 0; e < plan_.edge.size(); ++e)
         flow_[e] = plan_.edge[e] - 0.5f * push_[e];  // the layers give way with it
@@ -140,20 +143,12 @@ class PaintMover {
   std::vector<float> occupied_, share_, held_;  // of cells
 };
 
-}  // namespace
-
-void move_paint_in_blocks(CanvasState& state, const StepInput& in, Axis axis, const Tiles& tiles) {
+inline void move_paint_in_blocks(CanvasState& state, const StepInput& in, Axis axis,
+                                 const Tiles& tiles) {
   for_blocks(tiles, axis, in.threads, [&](int begin, int end, const auto& block_at) {
-    PaintMover mover(state, in, axis);
+    PlainPaintMover mover(state, in, axis);
     for (int k = begin; k < end; ++k) mover.move(block_at(k));
   });
-}
-
-void move_paint(CanvasState& state, const StepInput& in, Axis axis, const Tiles& tiles) {
-  if (axis == Axis::kX)
-    move_paint_in_blocks(state, in, axis, tiles);
-  else
-    stream_paint_down(state, in, tiles);
 }
 
 }  // namespace pentimento::conservative

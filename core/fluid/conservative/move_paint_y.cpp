@@ -29,8 +29,8 @@ class BlockEdges {
     const std::size_t edges = at(b.cells() + width_);
     for (std::vector<float>* v : {&flow_, &depth_})
       if (v->size() < edges) v->resize(edges);
-    pushed_ = !in.contact.empty() && in.contact.row_begin <= b.box.y1 &&
-              in.contact.row_end >= b.box.y0;
+    pushed_ =
+        !in.contact.empty() && in.contact.row_begin <= b.box.y1 && in.contact.row_end >= b.box.y0;
     push_.assign(pushed_ ? edges : at(width_), 0);
     moves_.assign(at(b.height() + 1), 0);
     for (const int r : {0, b.height()}) std::fill_n(flow_.data() + r * width_, width_, 0.0f);
@@ -76,8 +76,7 @@ class BlockEdges {
     }
     if (crowded == 0) return;
     std::vector<float> strip_depth(at(n * (height + 2))), edge(at(n * (height + 1)));
-    for (int r = -1; r <= height; ++r)
-      std::copy_n(depth(r), n, strip_depth.data() + (r + 1) * n);
+    for (int r = -1; r <= height; ++r) std::copy_n(depth(r), n, strip_depth.data() + (r + 1) * n);
     for (int r = 0; r <= height; ++r) std::copy_n(this->depth(r) + x0, n, edge.data() + r * n);
     if (!limit_crowding({height, n, most_m}, strip_depth.data() + n, edge.data())) return;
     for (int r = 0; r <= height; ++r) {
@@ -297,7 +296,7 @@ class PaintStream {
 
 }  // namespace
 
-void stream_paint_down(CanvasState& state, const StepInput& in, const Tiles& tiles) {
+void move_paint_along_y(CanvasState& state, const StepInput& in, const Tiles& tiles) {
   for_wide_blocks(tiles, in.threads, [&](int begin, int end, const auto& block_at) {
     PaintStream stream(state, in, tiles.tile_width());
     for (int k = begin; k < end; ++k) stream.move(block_at(k));
