@@ -21,23 +21,30 @@ RefinementSetup setup_of(const Simulation& simulation, int factor) {
 
 Result<std::unique_ptr<FineCanvas>> FineCanvas::follow(Simulation& simulation, int factor,
                                                        const log::PaperSpec& paper, LogFiles& files,
-                                                       const Threads& threads) {
-  const CanvasGeometry fine = DetailLayout(simulation.state().geometry, factor).fine();
+                                                       const Threads& threads,
+                                                       const FineStorage& storage) {
+  const DetailLayout layout(simulation.state().geometry, factor);
+  const CanvasGeometry fine = layout.fine();
   Result<std::unique_ptr<PaperRows>> rows = paper_rows(paper, fine, files);
   if (!rows) return rows.error();
   auto ground = std::make_unique<FineGround>(std::move(*rows), paper, fine);
+  const auto side = static_cast<std::size_t>(layout.side());
+  Result<std::unique_ptr<TileStore>> store =
+      TileStore::open({side * side, storage.scratch, storage.resident_bytes});
+  if (!store) return store.error();
   std::unique_ptr<FineCanvas> canvas(
-      new FineCanvas(simulation, factor, std::move(ground), threads));
+      new FineCanvas(simulation, factor, std::move(ground), std::move(*store), threads));
   simulation.set_follower(&canvas->refinement_);
   canvas->refinement_.restored(simulation.state());
   return canvas;
 }
 
 FineCanvas::FineCanvas(Simulation& simulation, int factor, std::unique_ptr<FineGround> ground,
-                       const Threads& threads)
+                       std::unique_ptr<TileStore> store, const Threads& threads)
     : simulation_(simulation),
       ground_(std::move(ground)),
-      refinement_(setup_of(simulation, factor), *ground_, threads),
+      store_(std::move(store)),
+      refinement_(setup_of(simulation, factor), *ground_, *store_, threads),
       source_(refinement_.canvas(), simulation.state()) {}
 
 FineCanvas::~FineCanvas() {

@@ -3,6 +3,7 @@
 // step with the simulation, and itself as what is shaded and dumped.
 
 #include <memory>
+#include <string>
 
 #include "core/detail/detail_source.h"
 #include "core/detail/refinement.h"
@@ -14,26 +15,36 @@
 
 namespace pentimento {
 
+/// Where the fine canvas lives.
+struct FineStorage {
+  std::string scratch;              // a folder; empty: in memory
+  std::int64_t resident_bytes = 0;  // of a scratch file that stay in memory; 0: all
+};
+
 class FineCanvas {
  public:
   /// Follows `simulation`, which it does not outlive, from its present state on. Errors: those of
-  /// the paper's picture.
+  /// the paper's picture and of the scratch folder.
   static Result<std::unique_ptr<FineCanvas>> follow(Simulation& simulation, int factor,
                                                     const log::PaperSpec& paper, LogFiles& files,
-                                                    const Threads& threads);
+                                                    const Threads& threads,
+                                                    const FineStorage& storage = {});
   ~FineCanvas();
 
   const CanvasSource& source() const { return source_; }
   const Refinement& refinement() const { return refinement_; }
+  /// Why parts of the canvas could not be kept; no error as long as all could.
+  const Result<void>& problem() const { return refinement_.canvas().problem(); }
   /// Told of a picture before the simulation loads it.
   FineGround& ground() { return *ground_; }
 
  private:
   FineCanvas(Simulation& simulation, int factor, std::unique_ptr<FineGround> ground,
-             const Threads& threads);
+             std::unique_ptr<TileStore> store, const Threads& threads);
 
   Simulation& simulation_;
   std::unique_ptr<FineGround> ground_;
+  std::unique_ptr<TileStore> store_;
   Refinement refinement_;
   DetailSource source_;
 };

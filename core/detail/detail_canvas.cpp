@@ -24,12 +24,29 @@ DetailTile& DetailCanvas::at(int tile) {
   slot = std::make_unique<DetailTile>(tile, layout_.box(tile), layers_ * channels_);
   const int side = layout_.side(), k = layout_.factor();
   const GuideBox& box = slot->box;
-  slot->base_m.allocate(side);
+  if (!make(slot->base_m)) return *slot;
   for (int y = 0; y < box.height() * k; ++y)
     ground_.relief_row(box.x0 * k, box.y0 * k + y,
                        {slot->base_m.data() + static_cast<std::ptrdiff_t>(y) * side,
                         static_cast<std::size_t>(box.width() * k)});
   return *slot;
+}
+
+bool DetailCanvas::make(TilePlane& plane) {
+  const Result<void> made = plane.allocate(store_);
+  if (made) return true;
+  const std::lock_guard<std::mutex> guard(mutex_);
+  if (problem_) problem_ = made.error();
+  return false;
+}
+
+void DetailCanvas::touch(int tile) const {
+  const DetailTile* made = find(tile);
+  if (made == nullptr) return;
+  made->depth_m.touch();
+  made->base_m.touch();
+  for (const TilePlane& plane : made->pigment) plane.touch();
+  for (const TilePlane& plane : made->reflectance) plane.touch();
 }
 
 void DetailCanvas::clear() {
@@ -40,7 +57,7 @@ void DetailCanvas::cover(int tile, const CanvasState& guide) {
   const GuideBox box = layout_.box(tile);
   for_wet_planes(layers_ * channels_, [&](const WetPlane& q) {
     if (DetailTile* made = find(tile); made != nullptr && q.of(*made)) return;
-    if (any_in(q.of(guide), box)) q.of(at(tile)).allocate(layout_.side());
+    if (any_in(q.of(guide), box)) make(q.of(at(tile)));
   });
 }
 
@@ -55,9 +72,10 @@ std::vector<int> DetailCanvas::complete_channels(int tile) {
     bool any = false;
     for (int layer = 0; layer < layers_; ++layer) any |= static_cast<bool>(plane(layer, c));
     if (!any) continue;
-    channels.push_back(c);
+    bool all = true;
     for (int layer = 0; layer < layers_; ++layer)
-      if (!plane(layer, c)) plane(layer, c).allocate(layout_.side());
+      all &= static_cast<bool>(plane(layer, c)) || make(plane(layer, c));
+    if (all) channels.push_back(c);
   }
   return channels;
 }

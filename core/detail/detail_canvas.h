@@ -3,6 +3,7 @@
 // files of this folder.
 
 #include <memory>
+#include <mutex>
 #include <vector>
 
 #include "core/detail/detail_ground.h"
@@ -13,10 +14,15 @@ namespace pentimento {
 
 class DetailCanvas {
  public:
-  /// `ground` outlives the canvas.
+  /// `ground` and `store` (of blocks of side x side floats) outlive the canvas.
   DetailCanvas(const DetailLayout& layout, int layers, int channels, int bands,
-               const DetailGround& ground)
-      : layout_(layout), ground_(ground), layers_(layers), channels_(channels), bands_(bands) {
+               const DetailGround& ground, TileStore& store)
+      : layout_(layout),
+        ground_(ground),
+        store_(store),
+        layers_(layers),
+        channels_(channels),
+        bands_(bands) {
     tile_.resize(static_cast<std::size_t>(layout.tiles()));
   }
 
@@ -35,6 +41,16 @@ class DetailCanvas {
 
   /// The tile has a plane for everything that the guide has in it.
   void cover(int tile, const CanvasState& guide);
+  /// Gives `plane` memory, zero everywhere. False if there is none: problem() says why from then
+  /// on, and the canvas shows less than was painted. From any thread.
+  bool make(TilePlane& plane);
+  /// The first failure to get memory or disk, if any.
+  const Result<void>& problem() const { return problem_; }
+  /// Everything in the tile is in use now.
+  void touch(int tile) const;
+  /// Lets go of memory that was not used lately, as far as the store is told to.
+  void trim() const { store_.trim(); }
+
   /// Channels of which the tile has a plane, ascending; each gets planes for all layers.
   std::vector<int> complete_channels(int tile);
   /// Frees wet planes of the tile in which the guide has nothing.
@@ -43,6 +59,9 @@ class DetailCanvas {
  private:
   DetailLayout layout_;
   const DetailGround& ground_;
+  TileStore& store_;
+  std::mutex mutex_;
+  Result<void> problem_;
   int layers_, channels_, bands_;
   std::vector<std::unique_ptr<DetailTile>> tile_;
 };

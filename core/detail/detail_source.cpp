@@ -87,13 +87,23 @@ void DetailSource::read(PlaneId plane, int x, int y, std::span<float> out) const
   }
 }
 
+void DetailSource::let_go() const {
+  constexpr std::uint32_t kReadsBetweenTrims = 8192;
+  if (++reads_ % kReadsBetweenTrims != 0) return;
+  const std::unique_lock<std::shared_mutex> alone(mutex_);
+  canvas_.trim();
+}
+
 void DetailSource::read_tiles(PlaneId plane, int x, int y, std::span<float> out) const {
+  let_go();
+  const std::shared_lock<std::shared_mutex> together(mutex_);
   const DetailLayout& layout = canvas_.layout();
   const int side = layout.side();
   for (int done = 0; done < static_cast<int>(out.size());) {
     const int from = x + done;
     const int cells = std::min(side - from % side, static_cast<int>(out.size()) - done);
     const DetailTile* tile = canvas_.find(layout.tile_of(from / side, y / side));
+    if (tile != nullptr) canvas_.touch(tile->tile);
     const float* data = tile == nullptr ? nullptr : plane_of(*tile, plane, channels());
     const std::span<float> part = out.subspan(at(done), at(cells));
     if (data == nullptr) {

@@ -1,6 +1,9 @@
 #pragma once
 // The detail canvas as a canvas to be shaded, dumped and compared.
 
+#include <atomic>
+#include <shared_mutex>
+
 #include "core/canvas_source.h"
 #include "core/detail/detail_canvas.h"
 
@@ -23,12 +26,16 @@ class DetailSource final : public CanvasSource {
   bool empty(const CellWindow& window) const override;
 
  private:
+  void let_go() const;
   void read_tiles(PlaneId plane, int x, int y, std::span<float> out) const;
   void read_velocity(PlaneKind kind, int x, int y, std::span<float> out) const;
 
   const DetailCanvas& canvas_;
   const CanvasState& guide_;
   CanvasGeometry geometry_;
+  // Reading brings tiles back into memory, so every so often what was read is let go again.
+  mutable std::shared_mutex mutex_;
+  mutable std::atomic<std::uint32_t> reads_{0};
 };
 
 }  // namespace pentimento

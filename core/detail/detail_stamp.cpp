@@ -86,6 +86,7 @@ void DetailStamp::lift(const StampPlan& plan, const CanvasState& guide) {
   threads_.for_ranges(0, static_cast<int>(parts_.size()), 1, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {
       Part& part = parts_[at(i)];
+      if (!part.usable) continue;
       measure(plan, part);
       lift_part(plan, part);
       note_layers(plan, guide, part);
@@ -100,6 +101,7 @@ void DetailStamp::lay(const StampPlan& plan, const CanvasState& guide) {
   }
   threads_.for_ranges(0, static_cast<int>(parts_.size()), 1, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {
+      if (!parts_[at(i)].usable) continue;
       open_part(plan, guide, parts_[at(i)]);
       lay_part(plan, parts_[at(i)]);
     }
@@ -130,7 +132,7 @@ void DetailStamp::find_parts(const StampPlan& plan) {
 
 void DetailStamp::find_planes(Part& part) {
   DetailTile& tile = canvas_.at(part.tile);
-  if (!tile.depth_m) tile.depth_m.allocate(canvas_.layout().side());
+  part.usable = tile.base_m && (tile.depth_m || canvas_.make(tile.depth_m));
   part.channels = canvas_.complete_channels(part.tile);
   part.amount.clear();
   part.planes.clear();

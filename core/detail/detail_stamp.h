@@ -30,6 +30,7 @@ class DetailStamp {
   /// The stamp's part of one tile.
   struct Part {
     int tile = 0;
+    bool usable = true;                  // there was memory for it
     int x0 = 0, x1 = 0, y0 = 0, y1 = 0;  // fine cells of the canvas
     std::vector<int> channels;           // of the tile
     std::vector<float> amount;           // of those

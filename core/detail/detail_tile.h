@@ -3,29 +3,55 @@
 // something is wet, reflectance once something has dried.
 
 #include <cstdint>
-#include <memory>
+#include <utility>
 #include <vector>
 
 #include "core/detail/block_layers.h"
 #include "core/detail/detail_layout.h"
+#include "core/tile_store.h"
 
 namespace pentimento {
 
-/// side x side floats, row by row; may be absent, which means zero (reflectance: the fresh ground).
+/// side x side floats of a TileStore, row by row; may be absent, which means zero (reflectance: the
+/// fresh ground). Move-only; gives its block back.
 class TilePlane {
  public:
-  explicit operator bool() const { return data_ != nullptr; }
-  float* data() { return data_.get(); }
-  const float* data() const { return data_.get(); }
-  /// Zero everywhere.
-  void allocate(int side) {
-    const std::size_t cells = static_cast<std::size_t>(side) * static_cast<std::size_t>(side);
-    data_ = std::make_unique<float[]>(cells);
+  TilePlane() = default;
+  TilePlane(TilePlane&& other) noexcept { *this = std::move(other); }
+  TilePlane& operator=(TilePlane&& other) noexcept {
+    std::swap(store_, other.store_);
+    std::swap(block_, other.block_);
+    std::swap(data_, other.data_);
+    return *this;
   }
-  void free() { data_.reset(); }
+  ~TilePlane() { free(); }
+
+  explicit operator bool() const { return data_ != nullptr; }
+  float* data() { return data_; }
+  const float* data() const { return data_; }
+  /// Zero everywhere. Errors: those of the store; then the plane stays absent.
+  Result<void> allocate(TileStore& store) {
+    Result<TileStore::Block> block = store.allocate();
+    if (!block) return block.error();
+    free();
+    store_ = &store;
+    block_ = *block;
+    data_ = store.data(block_);
+    return {};
+  }
+  void free() {
+    if (data_ != nullptr) store_->free(block_);
+    data_ = nullptr;
+  }
+  /// Notes that the plane is in use now.
+  void touch() const {
+    if (data_ != nullptr) store_->touch(block_);
+  }
 
  private:
-  std::unique_ptr<float[]> data_;
+  TileStore* store_ = nullptr;
+  TileStore::Block block_ = 0;
+  float* data_ = nullptr;
 };
 
 /// Which fine cells have followed their guide cell in opening a layer for its stroke. A stroke's

@@ -16,25 +16,27 @@ void copy(FieldView<const float> from, FieldView<float> to) {
 }
 
 /// The ground's reflectance where nothing has dried yet.
-void find_reflectance(const DetailCanvas& canvas, DetailTile& tile) {
+bool find_reflectance(DetailCanvas& canvas, DetailTile& tile) {
   const int side = canvas.layout().side(), k = canvas.layout().factor();
-  if (!tile.reflectance.empty()) return;
-  tile.reflectance.resize(static_cast<std::size_t>(canvas.bands()));
+  if (!tile.reflectance.empty()) return true;
+  std::vector<TilePlane> bands(static_cast<std::size_t>(canvas.bands()));
+  for (TilePlane& band : bands)
+    if (!canvas.make(band)) return false;
+  tile.reflectance = std::move(bands);
   for (std::size_t band = 0; band < tile.reflectance.size(); ++band) {
-    tile.reflectance[band].allocate(side);
     const FieldView<float> plane = view_of(tile.reflectance[band], side);
     for (int y = 0; y < tile.box.height() * k; ++y)
       canvas.ground().reflectance_row(
           static_cast<int>(band), tile.box.x0 * k, tile.box.y0 * k + y,
           {plane.row(y), static_cast<std::size_t>(tile.box.width() * k)});
   }
+  return true;
 }
 
 /// A tile as a small canvas, for the code that dries the guide.
-void dry_tile(const DetailCanvas& canvas, DetailTile& tile, const ChannelBasis& basis,
+void dry_tile(DetailCanvas& canvas, DetailTile& tile, const ChannelBasis& basis,
               const Model& model) {
-  if (!tile.depth_m) return;
-  find_reflectance(canvas, tile);
+  if (!tile.depth_m || !tile.base_m || !find_reflectance(canvas, tile)) return;
   const int side = canvas.layout().side();
   CanvasState small = make_canvas_state({side, side, 1, 1}, canvas.layers(), canvas.channels(),
                                         canvas.bands(), 1.0f);

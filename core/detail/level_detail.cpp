@@ -41,7 +41,7 @@ class TileLeveller {
                                 in.gravity_m_s2.z * in.gravity_m_s2.z)) {}
 
   void level(DetailTile& tile) {
-    if (!tile.depth_m || !find_rates(tile)) return;
+    if (!tile.depth_m || !tile.base_m || !find_rates(tile)) return;
     const std::size_t cells = at(canvas_.layout().side()) * at(canvas_.layout().side());
     for (std::vector<float>* v : {&rate_, &wet_, &depth_, &base_, &old_}) v->resize(cells);
     smooth(

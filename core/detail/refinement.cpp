@@ -27,11 +27,12 @@ void zero_edges(PaintEdges& edges, const std::vector<conservative::Run>& runs) {
 }
 }  // namespace
 
-Refinement::Refinement(RefinementSetup setup, const DetailGround& ground, const Threads& threads)
+Refinement::Refinement(RefinementSetup setup, const DetailGround& ground, TileStore& store,
+                       const Threads& threads)
     : setup_(std::move(setup)),
       threads_(threads),
       canvas_(DetailLayout(setup_.guide, setup_.factor), setup_.layers, setup_.channels,
-              setup_.bands, ground),
+              setup_.bands, ground, store),
       stamp_(canvas_, setup_.amount, threads),
       lock_(canvas_.layout(), setup_.layers),
       edges_(setup_.guide, setup_.layers),
@@ -67,11 +68,14 @@ void Refinement::moved(const CanvasState& guide, const StepInput& in,
 
 void Refinement::stepped(const CanvasState& guide, const StepInput&) {
   const std::vector<int> tiles = listed(changed_);
+  if (tiles.empty() && recent_.empty()) return;
   for (const int t : tiles) canvas_.cover(t, guide);
   if (setup_.locked) lock_.lock(canvas_, guide, tiles, threads_);
   for (const int t : recent_)
     if (changed_[static_cast<std::size_t>(t)] == 0) canvas_.prune(t, guide);
   recent_ = tiles;
+  for (const int t : tiles) canvas_.touch(t);
+  canvas_.trim();
   std::fill(changed_.begin(), changed_.end(), std::uint8_t{0});
 }
 

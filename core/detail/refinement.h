@@ -25,8 +25,9 @@ struct RefinementSetup {
 
 class Refinement : public CanvasFollower {
  public:
-  /// `ground` and `threads` outlive it.
-  Refinement(RefinementSetup setup, const DetailGround& ground, const Threads& threads);
+  /// `ground`, `store` (DetailLayout::side() squared floats a block) and `threads` outlive it.
+  Refinement(RefinementSetup setup, const DetailGround& ground, TileStore& store,
+             const Threads& threads);
 
   void lay(const StampPlan& plan, const CanvasState& guide) override;
   void laid(const StampPlan& plan, const CanvasState& guide) override;

@@ -8,10 +8,10 @@ namespace pentimento {
 
 namespace {
 /// The guide's plane, bilinear, in the tile's cells.
-void enlarge(const Field<float>& guide, const DetailCanvas& canvas, const DetailTile& tile,
+void enlarge(const Field<float>& guide, DetailCanvas& canvas, const DetailTile& tile,
              TilePlane& plane) {
   const int side = canvas.layout().side();
-  plane.allocate(side);
+  if (!plane && !canvas.make(plane)) return;
   std::fill_n(plane.data(), static_cast<std::size_t>(side) * static_cast<std::size_t>(side), 1.0f);
   scale_by_field(guide.view(), canvas.layout().factor(), tile.box, plane.data(), side);
 }
@@ -29,6 +29,7 @@ void restore_dry(const CanvasState& guide, const Field<float>& dried_m, DetailCa
   const int side = canvas.layout().side();
   TilePlane dried;
   enlarge(dried_m, canvas, tile, dried);
+  if (!dried || !tile.base_m) return;
   for (int i = 0; i < side * side; ++i) tile.base_m.data()[i] += dried.data()[i];
   tile.reflectance.resize(guide.reflectance.size());
   for (std::size_t band = 0; band < guide.reflectance.size(); ++band)

@@ -29,11 +29,13 @@ class Painted {
   Painted(int width, int factor, int thread_count = 1, bool locked = true)
       : threads_(thread_count), sim_(setup_of(width), threads_) {
     const CanvasState& state = sim_.state();
+    const auto side = static_cast<std::size_t>(DetailLayout(state.geometry, factor).side());
+    store_ = std::move(*TileStore::open({side * side, "", 0}));
     refinement_ = std::make_unique<Refinement>(
         RefinementSetup{state.geometry, factor, state.layers, state.channels, state.bands,
                         std::vector<float>(sim_.basis().amount.begin(), sim_.basis().amount.end()),
                         locked},
-        ground_, threads_);
+        ground_, *store_, threads_);
     sim_.set_follower(refinement_.get());
   }
 
@@ -88,6 +90,7 @@ class Painted {
   Threads threads_;
   PlainGround ground_;
   Simulation sim_;
+  std::unique_ptr<TileStore> store_;
   std::unique_ptr<Refinement> refinement_;
   std::uint32_t stroke_ = 0;
 };
