@@ -10,20 +10,23 @@ RunIndex::RunIndex(std::vector<Run> runs, int height) : runs_(std::move(runs)) {
   for (std::size_t y = 1; y < begin_.size(); ++y) begin_[y] += begin_[y - 1];
 }
 
-void for_bands(const Threads& threads, const RunIndex& index, int width, int stages,
+void for_bands(const Threads& threads, const RunIndex& index, int stages,
                const std::function<void(int, const Run&)>& pass) {
-  constexpr int kCellsPerBand = 24576;  // seven planes of floats: 0.7 MB, within a core's cache
   const int height = index.height();
-  const int rows = std::max(2 * stages + 2, kCellsPerBand / width);
+  const int parts = threads.count() == 1 ? 1 : 4 * threads.count();
+  const int rows = std::max(2 * stages + 2, (height + parts - 1) / parts);
   const int bands = (height + rows - 1) / rows;
   threads.for_ranges(0, bands, 1, [&](int begin, int end) {
     for (int k = begin; k < end; ++k) {
       const int y0 = k * rows;
       const int y1 = std::min(y0 + rows, height);
       if (!index.any(y0, y1)) continue;
-      for (int s = 0; s < stages; ++s)
-        index.for_rows(y0 == 0 ? 0 : y0 + s, y1 == height ? height : y1 - s,
-                       [&](const Run& r) { pass(s, r); });
+      for (int y = y0; y < y1 + stages - 1; ++y)
+        for (int s = 0; s < stages; ++s) {
+          const bool above = y - s < (y0 == 0 ? 0 : y0 + s);
+          const bool below = y - s >= (y1 == height ? height : y1 - s);
+          if (!above && !below) index.for_rows(y - s, y - s + 1, [&](const Run& r) { pass(s, r); });
+        }
     }
   });
   threads.for_ranges(1, bands, 1, [&](int begin, int end) {

@@ -35,9 +35,11 @@ class RunIndex {
 /// When stage s > 0 of a row is called, stage s-1 of that row and of both its neighbours is done,
 /// and stage s+1 of neither, so that two planes, written in turn, hold all that is needed. Stage 0
 /// may depend on no other row.
-/// Scheme: bands whose passes shrink by a row a stage, then the gaps between them, which grow
-///   (Wonnacott, Int. J. Parallel Program. 30 (2002) 181-221).
-void for_bands(const Threads& threads, const RunIndex& index, int width, int stages,
+/// Scheme: bands of rows, few a thread. In each, the stages follow one another down the rows, each
+///   a row behind the one before, so that what they share is a few rows. The bands shrink by a row
+///   a stage, then the gaps between them are filled, which grow (Wonnacott, Int. J. Parallel
+///   Program. 30 (2002) 181-221).
+void for_bands(const Threads& threads, const RunIndex& index, int stages,
                const std::function<void(int stage, const Run& run)>& pass);
 
 }  // namespace pentimento::conservative

@@ -94,18 +94,14 @@ bool ConservativeScheme::step(CanvasState& state, const StepInput& in) {
 
 void ConservativeScheme::part_of_step(CanvasState& state, const StepInput& in, int part) {
   transport(state, in, (state.step + part) % 2 == 0);
-  find_rheology(state, in);
+  for_runs(in.threads, tiles_->runs(), [&](const Run& r) { find_rheology(state, in, r); });
   passed("rheology");
-  find_faces(state, in);
+  for_runs(in.threads, tiles_->runs(), [&](const Run& r) { find_faces(state, in, r); });
   passed("faces");
   apply_viscosity(state, in);
   passed("viscosity");
-  apply_forces(in);
-  passed("forces");
   solve_height(state, in);
   passed("height");
-  finish(state, in);
-  passed("finish");
 }
 
 void ConservativeScheme::transport(CanvasState& state, const StepInput& in, bool even) {
@@ -127,39 +123,36 @@ void ConservativeScheme::transport(CanvasState& state, const StepInput& in, bool
   in.follower->moved(state, in, tiles_->runs());
 }
 
-void ConservativeScheme::find_rheology(const CanvasState& state, const StepInput& in) {
+void ConservativeScheme::find_rheology(const CanvasState& state, const StepInput& in,
+                                       const Run& r) {
   const Rheology rheology = make_rheology(in.model);
-  for_runs(in.threads, tiles_->runs(), [&](const Run& r) {
-    const auto n = static_cast<std::size_t>(r.size());
-    const float* depth = state.depth_m.row(r.y) + r.x0;
-    const float* base = state.base_m.row(r.y) + r.x0;
-    float* height = work_.height_m.row(r.y) + r.x0;
-    for (std::size_t i = 0; i < n; ++i) height[i] = base[i] + depth[i];
-    // The amounts are only needed on the way: they lie where the crowding will.
-    const std::span<float> amount{work_.crowding_m_s2.row(r.y) + r.x0, n};
-    total_amount_row(state, in.amount, r.y, r.x0, r.x1, amount);
-    rheology_row(rheology, 0.0f, {depth, n}, amount, {work_.mobility_frac.row(r.y) + r.x0, n},
-                 {work_.viscosity_m2_s.row(r.y) + r.x0, n});
-  });
+  const auto n = static_cast<std::size_t>(r.size());
+  const float* depth = state.depth_m.row(r.y) + r.x0;
+  const float* base = state.base_m.row(r.y) + r.x0;
+  float* height = work_.height_m.row(r.y) + r.x0;
+  for (std::size_t i = 0; i < n; ++i) height[i] = base[i] + depth[i];
+  // The amounts are only needed on the way: they lie where the crowding will.
+  const std::span<float> amount{work_.crowding_m_s2.row(r.y) + r.x0, n};
+  total_amount_row(state, in.amount, r.y, r.x0, r.x1, amount);
+  rheology_row(rheology, 0.0f, {depth, n}, amount, {work_.mobility_frac.row(r.y) + r.x0, n},
+               {work_.viscosity_m2_s.row(r.y) + r.x0, n});
 }
 
-void ConservativeScheme::find_faces(const CanvasState& state, const StepInput& in) {
+void ConservativeScheme::find_faces(const CanvasState& state, const StepInput& in, const Run& r) {
   const FaceParameters p{in.model.dry_film_m(), in.model.friction_viscosity_floor_m2_s,
                          3 * in.dt_s * in.model.bed_friction};
   const auto cells = [&](int x, int y) {
     return CellRow{state.depth_m.row(y) + x, state.base_m.row(y) + x, work_.height_m.row(y) + x,
                    work_.mobility_frac.row(y) + x, work_.viscosity_m2_s.row(y) + x};
   };
-  for_runs(in.threads, tiles_->runs(), [&](const Run& r) {
-    close_faces_row(1, faces_at(work_.x, r.x1 - 1, r.y));
-    for_open_faces(*tiles_, Axis::kX, r, [&](int x, int n) {
-      face_row(p, cells(x, r.y), cells(x + 1, r.y), n, faces_at(work_.x, x, r.y));
-    });
-    if ((r.y + 1) % tiles_->tile_height() == 0 || r.y + 1 == geometry_.height)
-      close_faces_row(r.size(), faces_at(work_.y, r.x0, r.y));
-    for_open_faces(*tiles_, Axis::kY, r, [&](int x, int n) {
-      face_row(p, cells(x, r.y), cells(x, r.y + 1), n, faces_at(work_.y, x, r.y));
-    });
+  close_faces_row(1, faces_at(work_.x, r.x1 - 1, r.y));
+  for_open_faces(*tiles_, Axis::kX, r, [&](int x, int n) {
+    face_row(p, cells(x, r.y), cells(x + 1, r.y), n, faces_at(work_.x, x, r.y));
+  });
+  if ((r.y + 1) % tiles_->tile_height() == 0 || r.y + 1 == geometry_.height)
+    close_faces_row(r.size(), faces_at(work_.y, r.x0, r.y));
+  for_open_faces(*tiles_, Axis::kY, r, [&](int x, int n) {
+    face_row(p, cells(x, r.y), cells(x, r.y + 1), n, faces_at(work_.y, x, r.y));
   });
 }
 
@@ -172,7 +165,7 @@ void ConservativeScheme::apply_viscosity(const CanvasState& state, const StepInp
   for (NodePlanes* nodes : {&work_.x, &work_.y}) {
     const WorkPlane& depth = nodes->depth_m;
     const WorkPlane& viscosity = nodes->viscosity_m2_s;
-    for_runs(in.threads, tiles_->runs(), [&](const Run& r) {
+    const auto fill = [&](const Run& r) {
       const int x = r.x0;
       const int y = r.y;
       const ViscousNodes v{depth.row(y - 1) + x,     depth.row(y) + x,
@@ -181,82 +174,79 @@ void ConservativeScheme::apply_viscosity(const CanvasState& state, const StepInp
       viscous_row(v, per_dx2, per_dy2, r.size(),
                   {solver.cx().row(y) + x, solver.cy().row(y) + x, solver.zero_order().row(y) + x,
                    solver.rhs().row(y) + x, solver.solution().row(y) + x});
-    });
-    solver.solve(in.model.viscosity_cycles, levels, in.threads);
-    for_runs(in.threads, tiles_->runs(), [&](const Run& r) {
-      std::copy_n(solver.solution().row(r.y) + r.x0, r.size(), nodes->velocity_m_s.row(r.y) + r.x0);
-    });
+    };
+    solver.solve(in.model.viscosity_cycles, levels, in.threads, {fill});
+    swap(solver.solution(), nodes->velocity_m_s);
   }
 }
 
-void ConservativeScheme::apply_forces(const StepInput& in) {
-  const float speed_x = in.dt_s * in.gravity_m_s2.x;
-  const float speed_y = in.dt_s * in.gravity_m_s2.y;
-  const auto apply = [&](NodePlanes& n, float speed, const Run& r) {
+void ConservativeScheme::apply_forces(const StepInput& in, const Run& r) {
+  const auto apply = [&](NodePlanes& n, float speed) {
     const LateralGravity g{speed, in.model.dry_film_m(), in.model.phi_scales_lateral};
     force_row(g, n.depth_m.row(r.y) + r.x0, n.mobility_frac.row(r.y) + r.x0,
               n.friction_frac.row(r.y) + r.x0, r.size(), n.velocity_m_s.row(r.y) + r.x0);
   };
-  for_runs(in.threads, tiles_->runs(), [&](const Run& r) {
-    apply(work_.x, speed_x, r);
-    apply(work_.y, speed_y, r);
-  });
+  apply(work_.x, in.dt_s * in.gravity_m_s2.x);
+  apply(work_.y, in.dt_s * in.gravity_m_s2.y);
 }
 
-void ConservativeScheme::solve_height(const CanvasState& state, const StepInput& in) {
+// The right side of the height equation, and the crowding that follows from it.
+void ConservativeScheme::fill_height(const CanvasState& state, const StepInput& in, const Run& r) {
   Multigrid& solver = work_.solver;
-  const float dx = state.geometry.dx_m();
-  const float dy = state.geometry.dy_m();
   const float full = in.model.max_medium_m;
   const Crowding crowding{full, kCrowdedFrac * full, in.model.crowding_m_s2};
-  for_runs(in.threads, tiles_->runs(), [&](const Run& r) {
-    const int x = r.x0;
-    const int y = r.y;
-    const FluxRow f{work_.x.depth_m.row(y) + x,     work_.x.velocity_m_s.row(y) + x,
-                    work_.y.depth_m.row(y - 1) + x, work_.y.velocity_m_s.row(y - 1) + x,
-                    work_.y.depth_m.row(y) + x,     work_.y.velocity_m_s.row(y) + x};
-    float* rhs = solver.rhs().row(y) + x;
-    height_rhs_row(f, work_.height_m.row(y) + x, in.dt_s / dx, in.dt_s / dy, r.size(), rhs);
-    crowding_row(crowding, state.depth_m.row(y) + x, state.base_m.row(y) + x, rhs, r.size(),
-                 work_.crowding_m_s2.row(y) + x);
-    std::fill_n(solver.zero_order().row(y) + x, r.size(), 1.0f);
-    std::copy_n(work_.height_m.row(y) + x, r.size(), solver.solution().row(y) + x);
-  });
+  const int x = r.x0;
+  const int y = r.y;
+  const FluxRow f{work_.x.depth_m.row(y) + x,     work_.x.velocity_m_s.row(y) + x,
+                  work_.y.depth_m.row(y - 1) + x, work_.y.velocity_m_s.row(y - 1) + x,
+                  work_.y.depth_m.row(y) + x,     work_.y.velocity_m_s.row(y) + x};
+  float* rhs = solver.rhs().row(y) + x;
+  height_rhs_row(f, work_.height_m.row(y) + x, in.dt_s / state.geometry.dx_m(),
+                 in.dt_s / state.geometry.dy_m(), r.size(), rhs);
+  crowding_row(crowding, state.depth_m.row(y) + x, state.base_m.row(y) + x, rhs, r.size(),
+               work_.crowding_m_s2.row(y) + x);
+  std::fill_n(solver.zero_order().row(y) + x, r.size(), 1.0f);
+  std::copy_n(work_.height_m.row(y) + x, r.size(), solver.solution().row(y) + x);
+}
+
+void ConservativeScheme::fill_pressure(const CanvasState& state, const StepInput& in,
+                                       const Run& r) {
   const float gravity = positive(in.gravity_m_s2.z);
-  const auto pressure = [&](NodePlanes& n, const Run& r, int down, float per_d2, WorkPlane& c) {
+  const auto pressure = [&](NodePlanes& n, int down, float cell_m, WorkPlane& c) {
     const float* crowded = work_.crowding_m_s2.row(r.y) + r.x0;
     const float* next = work_.crowding_m_s2.row(r.y + down) + r.x0 + 1 - down;
     pressure_row({n.depth_m.row(r.y) + r.x0, n.mobility_frac.row(r.y) + r.x0,
                   n.friction_frac.row(r.y) + r.x0, crowded, next},
-                 in.dt_s * gravity, in.dt_s, in.dt_s * per_d2, r.size(),
+                 in.dt_s * gravity, in.dt_s, in.dt_s * (1 / (cell_m * cell_m)), r.size(),
                  n.pressure_m_s.row(r.y) + r.x0, c.row(r.y) + r.x0);
   };
-  for_runs(in.threads, tiles_->runs(), [&](const Run& r) {
-    pressure(work_.x, r, 0, 1 / (dx * dx), solver.cx());
-    pressure(work_.y, r, 1, 1 / (dy * dy), solver.cy());
-  });
-  const float nearest = std::min(dx, dy);
-  const float strongest =
-      (gravity + in.model.crowding_m_s2) * in.dt_s * in.dt_s * full / (nearest * nearest);
-  solver.solve(in.model.height_cycles, solver.levels_for(strongest), in.threads);
+  pressure(work_.x, 0, state.geometry.dx_m(), work_.solver.cx());
+  pressure(work_.y, 1, state.geometry.dy_m(), work_.solver.cy());
 }
 
-void ConservativeScheme::finish(CanvasState& state, const StepInput& in) {
+void ConservativeScheme::finish(CanvasState& state, const StepInput& in, const Run& r) {
   const FinishLimits limits{in.model.velocity_threshold_m_s, cap_of(in.model)};
-  const float per_dx = 1 / state.geometry.dx_m();
-  const float per_dy = 1 / state.geometry.dy_m();
   const WorkPlane& height = work_.solver.solution();
-  const auto one = [&](NodePlanes& n, const Run& r, int down, float per_d, Field<float>& out) {
-    float* u = n.velocity_m_s.row(r.y) + r.x0;
-    finish_row(limits, n.depth_m.row(r.y) + r.x0, n.pressure_m_s.row(r.y) + r.x0,
-               height.row(r.y) + r.x0, height.row(r.y + down) + r.x0 + 1 - down, per_d, r.size(),
-               u);
-    std::copy_n(u, r.size(), out.row(r.y) + r.x0);
+  const auto one = [&](const NodePlanes& n, int down, float per_d, Field<float>& out) {
+    finish_row(limits,
+               {n.depth_m.row(r.y) + r.x0, n.pressure_m_s.row(r.y) + r.x0, height.row(r.y) + r.x0,
+                height.row(r.y + down) + r.x0 + 1 - down, n.velocity_m_s.row(r.y) + r.x0},
+               per_d, r.size(), out.row(r.y) + r.x0);
   };
-  for_runs(in.threads, tiles_->runs(), [&](const Run& r) {
-    one(work_.x, r, 0, per_dx, state.velocity_x_m_s);
-    one(work_.y, r, 1, per_dy, state.velocity_y_m_s);
-  });
+  one(work_.x, 0, 1 / state.geometry.dx_m(), state.velocity_x_m_s);
+  one(work_.y, 1, 1 / state.geometry.dy_m(), state.velocity_y_m_s);
+}
+
+// Forces, height and the velocities that follow from it: row by row, as part of the solve.
+void ConservativeScheme::solve_height(CanvasState& state, const StepInput& in) {
+  const float nearest = std::min(state.geometry.dx_m(), state.geometry.dy_m());
+  const float strongest = (positive(in.gravity_m_s2.z) + in.model.crowding_m_s2) * in.dt_s *
+                          in.dt_s * in.model.max_medium_m / (nearest * nearest);
+  work_.solver.solve(
+      in.model.height_cycles, work_.solver.levels_for(strongest), in.threads,
+      {[&](const Run& r) { apply_forces(in, r); }, [&](const Run& r) { fill_height(state, in, r); },
+       [&](const Run& r) { fill_pressure(state, in, r); }},
+      [&](const Run& r) { finish(state, in, r); });
 }
 
 bool ConservativeScheme::feels_gravity(const CellBox& b) const {

@@ -37,12 +37,15 @@ class ConservativeScheme : public FluidScheme {
   }
   void part_of_step(CanvasState& state, const StepInput& in, int part);
   void transport(CanvasState& state, const StepInput& in, bool even);
-  void find_rheology(const CanvasState& state, const StepInput& in);
-  void find_faces(const CanvasState& state, const StepInput& in);
   void apply_viscosity(const CanvasState& state, const StepInput& in);
-  void apply_forces(const StepInput& in);
-  void solve_height(const CanvasState& state, const StepInput& in);
-  void finish(CanvasState& state, const StepInput& in);
+  void solve_height(CanvasState& state, const StepInput& in);
+  // On the run of a row:
+  void find_rheology(const CanvasState& state, const StepInput& in, const Run& r);
+  void find_faces(const CanvasState& state, const StepInput& in, const Run& r);
+  void apply_forces(const StepInput& in, const Run& r);
+  void fill_height(const CanvasState& state, const StepInput& in, const Run& r);
+  void fill_pressure(const CanvasState& state, const StepInput& in, const Run& r);
+  void finish(CanvasState& state, const StepInput& in, const Run& r);
   bool feels_gravity(const CellBox& box) const;
   void account(const CanvasState& state, const StepInput& in);
 

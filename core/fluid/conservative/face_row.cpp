@@ -38,20 +38,23 @@ void face_row(const FaceParameters& p, const CellRow& a, const CellRow& b, int n
   float* __restrict friction = out.friction_frac;
   PENTIMENTO_INDEPENDENT
   for (int i = 0; i < n; ++i) {
+    // Masks as numbers: two conditions joined by `and` would keep the compiler from vectors.
     const float d_a = depth_a[i];
     const float d = hydrostatic(height_a[i], height_b[i], base_a[i], base_b[i]);
     const float sum = d_a + depth_b[i];
-    const bool wet = (d > 0) & (sum > 0);
-    const float share = d_a / (wet ? sum : 1.0f);
+    const float least = d < sum ? d : sum;
+    const float wet = least > 0 ? 1.0f : 0.0f;
+    const float dry = 1 - wet;
+    const float share = d_a / (wet * sum + dry);
     const float mean_mobility = share * mobility_a[i] + (1 - share) * mobility_b[i];
     const float mean_nu = share * nu_a[i] + (1 - share) * nu_b[i];
     const float nu = mean_nu > floor ? mean_nu : floor;
-    const float d2 = wet ? d * d : 1.0f;
+    const float d2 = wet * (d * d) + dry;
     const float left = d2 / (d2 + friction_dt * nu);
-    depth[i] = wet ? d : 0.0f;
+    depth[i] = wet * d;
     mobility[i] = d > dry_film ? mean_mobility : 0.0f;
     viscosity[i] = nu;
-    friction[i] = wet ? left : 0.0f;
+    friction[i] = wet * left;
   }
 }
 

@@ -67,8 +67,14 @@ struct FinishLimits {
 /// Source: R10, R11, R14 (Stuyck et al. 2016, equation 4).
 /// Departs from it: threshold and cap act on each component where it lives, not on the length of
 ///   (u, v); the cap is ours: no paint falls faster than twice the fastest wave.
-void finish_row(const FinishLimits& limits, const float* depth_m, const float* pressure_m_s,
-                const float* height_a, const float* height_b, float per_dx, int n,
+struct FinishRow {
+  const float* depth_m;  // of the face
+  const float* pressure_m_s;
+  const float* height_a;
+  const float* height_b;
+  const float* velocity_m_s;  // u*
+};
+void finish_row(const FinishLimits& limits, const FinishRow& f, float per_dx, int n,
                 float* velocity_m_s);
 
 }  // namespace pentimento::conservative

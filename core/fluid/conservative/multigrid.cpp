@@ -1,5 +1,7 @@
 #include "core/fluid/conservative/multigrid.h"
 
+#include <algorithm>
+
 #include "core/fluid/conservative/multigrid_rows.h"
 
 namespace pentimento::conservative {
@@ -44,6 +46,26 @@ void add_correction(Level& fine, const Level& coarse, const Run& r) {
   prolong_row(c, stencil_at(fine.cx, fine.cy, start, r.y), r.x1 - start, fine.x.row(r.y) + start);
 }
 
+template <typename Level>
+void invert_diagonal(Level& l, const Run& r) {
+  inverse_diagonal_row(stencil_at(l.cx, l.cy, r.x0, r.y), l.z.row(r.y) + r.x0, r.size(),
+                       l.inverse.row(r.y) + r.x0);
+}
+// A run of a coarse level from the fine one: the system, and the residual as its right side.
+template <typename Level>
+void coarsen(const Level& fine, Level& coarse, const Run& r) {
+  const int x = 2 * r.x0;
+  const int y = 2 * r.y;
+  restrict_row(fine.z.row(y) + x, fine.z.row(y + 1) + x, r.size(), coarse.z.row(r.y) + r.x0);
+  coarsen_cx_row(fine.cx.row(y) + x, fine.cx.row(y + 1) + x, r.size(), coarse.cx.row(r.y) + r.x0);
+  coarsen_cy_row(fine.cy.row(y + 1) + x, r.size(), coarse.cy.row(r.y) + r.x0);
+}
+template <typename Level>
+void restrict_residual(const Level& fine, Level& coarse, const Run& r) {
+  restrict_row(fine.other.row(2 * r.y) + 2 * r.x0, fine.other.row(2 * r.y + 1) + 2 * r.x0, r.size(),
+               coarse.rhs.row(r.y) + r.x0);
+}
+
 }  // namespace
 
 Multigrid::Multigrid(int width, int height) {
@@ -83,39 +105,63 @@ int Multigrid::levels_for(float coupling) const {
   return levels;
 }
 
+// The coarser grids but for what start() left on the first of them.
 void Multigrid::prepare(int levels, const Threads& threads) {
-  for (int l = 0; l < levels; ++l) {
+  for (int l = 1; l < levels; ++l) {
     Level& here = level(l);
-    if (l > 0) {
+    if (l > 1) {
       const Level& fine = level(l - 1);
-      for_runs(threads, here.index.runs(), [&](const Run& r) {
-        const int x = 2 * r.x0;
-        const int y = 2 * r.y;
-        restrict_row(fine.z.row(y) + x, fine.z.row(y + 1) + x, r.size(), here.z.row(r.y) + r.x0);
-        coarsen_cx_row(fine.cx.row(y) + x, fine.cx.row(y + 1) + x, r.size(),
-                       here.cx.row(r.y) + r.x0);
-        coarsen_cy_row(fine.cy.row(y + 1) + x, r.size(), here.cy.row(r.y) + r.x0);
-      });
+      for_runs(threads, here.index.runs(), [&](const Run& r) { coarsen(fine, here, r); });
     }
-    for_runs(threads, here.index.runs(), [&](const Run& r) {
-      inverse_diagonal_row(stencil_at(here.cx, here.cy, r.x0, r.y), here.z.row(r.y) + r.x0,
-                           r.size(), here.inverse.row(r.y) + r.x0);
-    });
+    for_runs(threads, here.index.runs(), [&](const Run& r) { invert_diagonal(here, r); });
   }
 }
 
-// Smooths the first guess and leaves the residual in `other`.
-void Multigrid::start(Level& fine, const Threads& threads) {
-  for_bands(threads, fine.index, fine.x.width(), 4, [&](int stage, const Run& r) {
+// Whether the fine rows of the coarse row over `r` are complete with it. On the finest grid both
+// have the same runs, for tiles are a whole number of coarse cells.
+bool Multigrid::below_coarse_row(const Run& r) const {
+  return (r.y & 1) != 0 || r.y + 1 == levels_[0].x.height();
+}
+
+void Multigrid::coarsen_system(const Run& r) {
+  if (below_coarse_row(r)) coarsen(level(0), level(1), {r.y / 2, r.x0 / 2, (r.x1 + 1) / 2});
+}
+
+void Multigrid::coarsen_residual(const Run& r) {
+  if (below_coarse_row(r))
+    restrict_residual(level(0), level(1), {r.y / 2, r.x0 / 2, (r.x1 + 1) / 2});
+}
+
+// Fills the system, smooths the first guess, leaves the residual in `other` and, if asked, system
+// and residual on the next grid.
+void Multigrid::start(const std::vector<RowWork>& fill, bool and_restrict, const Threads& threads) {
+  Level& fine = level(0);
+  const int filled = std::max(1, static_cast<int>(fill.size()));
+  for_bands(threads, fine.index, filled + (and_restrict ? 5 : 3), [&](int stage, const Run& r) {
+    if (stage < static_cast<int>(fill.size())) fill[static_cast<std::size_t>(stage)](r);
+    if (stage == filled) invert_diagonal(fine, r);
+    if (stage == filled + 1) sweep(fine, r, fine.x, fine.other, kWeightA);
+    if (stage == filled + 2) sweep(fine, r, fine.other, fine.x, kWeightB);
+    if (stage == filled + 3) leave_residual(fine, r);
+    if (stage != filled + 4) return;
+    coarsen_system(r);
+    coarsen_residual(r);
+  });
+}
+
+// Two more sweeps.
+void Multigrid::go_on(const RowWork& finish, const Threads& threads) {
+  Level& fine = level(0);
+  for_bands(threads, fine.index, finish ? 4 : 3, [&](int stage, const Run& r) {
     if (stage == 1) sweep(fine, r, fine.x, fine.other, kWeightA);
     if (stage == 2) sweep(fine, r, fine.other, fine.x, kWeightB);
-    if (stage == 3) leave_residual(fine, r);
+    if (stage == 3) finish(r);
   });
 }
 
 // The same from a first guess of 0.
 void Multigrid::descend(Level& here, const Threads& threads) {
-  for_bands(threads, here.index, here.x.width(), 3, [&](int stage, const Run& r) {
+  for_bands(threads, here.index, 3, [&](int stage, const Run& r) {
     if (stage == 0) first_sweep_from_zero(here, r);
     if (stage == 1) sweep(here, r, here.other, here.x, kWeightB);
     if (stage == 2) leave_residual(here, r);
@@ -123,7 +169,7 @@ void Multigrid::descend(Level& here, const Threads& threads) {
 }
 
 void Multigrid::bottom(Level& here, const Threads& threads) {
-  for_bands(threads, here.index, here.x.width(), 4, [&](int stage, const Run& r) {
+  for_bands(threads, here.index, 4, [&](int stage, const Run& r) {
     if (stage == 0) first_sweep_from_zero(here, r);
     if (stage == 1) sweep(here, r, here.other, here.x, kWeightB);
     if (stage == 2) sweep(here, r, here.x, here.other, kWeightA);
@@ -131,41 +177,46 @@ void Multigrid::bottom(Level& here, const Threads& threads) {
   });
 }
 
-// Adds the coarse correction and smooths; then, if asked, what start() does.
-void Multigrid::ascend(Level& here, Level& coarse, bool and_descend, const Threads& threads) {
-  for_bands(threads, here.index, here.x.width(), and_descend ? 6 : 3, [&](int stage, const Run& r) {
+// Adds the coarse correction and smooths; then, if asked, smooths again and leaves the residual on
+// the next grid, or finishes.
+void Multigrid::ascend(int l, bool and_descend, const RowWork& finish, const Threads& threads) {
+  Level& here = level(l);
+  const Level& coarse = level(l + 1);
+  const int stages = and_descend ? 7 : finish ? 4 : 3;
+  for_bands(threads, here.index, stages, [&](int stage, const Run& r) {
     if (stage == 0) add_correction(here, coarse, r);
-    if (stage == 1 || stage == 3) sweep(here, r, here.x, here.other, kWeightA);
-    if (stage == 2 || stage == 4) sweep(here, r, here.other, here.x, kWeightB);
+    if (stage == 1) sweep(here, r, here.x, here.other, kWeightA);
+    if (stage == 2) sweep(here, r, here.other, here.x, kWeightB);
+    if (stage == 3 && !and_descend) finish(r);
+    if (stage == 3 && and_descend) sweep(here, r, here.x, here.other, kWeightA);
+    if (stage == 4) sweep(here, r, here.other, here.x, kWeightB);
     if (stage == 5) leave_residual(here, r);
-  });
-}
-
-void Multigrid::restrict_residual(const Level& fine, Level& coarse, const Threads& threads) {
-  for_runs(threads, coarse.index.runs(), [&](const Run& r) {
-    restrict_row(fine.other.row(2 * r.y) + 2 * r.x0, fine.other.row(2 * r.y + 1) + 2 * r.x0,
-                 r.size(), coarse.rhs.row(r.y) + r.x0);
+    if (stage == 6) coarsen_residual(r);
   });
 }
 
 void Multigrid::coarse_cycle(int l, int levels, const Threads& threads) {
-  restrict_residual(level(l - 1), level(l), threads);
+  if (l > 1)
+    for_runs(threads, level(l).index.runs(),
+             [&](const Run& r) { restrict_residual(level(l - 1), level(l), r); });
   if (l + 1 == levels) return bottom(level(l), threads);
   descend(level(l), threads);
   coarse_cycle(l + 1, levels, threads);
-  ascend(level(l), level(l + 1), false, threads);
+  ascend(l, false, {}, threads);
 }
 
-void Multigrid::solve(int cycles, int levels, const Threads& threads) {
-  prepare(levels, threads);
+void Multigrid::solve(int cycles, int levels, const Threads& threads,
+                      const std::vector<RowWork>& fill, const RowWork& finish) {
+  start(fill, levels > 1, threads);
   if (levels == 1) {  // weak coupling: sweeps alone
-    for (int k = 0; k < cycles; ++k) start(level(0), threads);
+    for (int k = 1; k < cycles; ++k) go_on(k + 1 == cycles ? finish : RowWork{}, threads);
+    if (cycles == 1 && finish) for_runs(threads, level(0).index.runs(), finish);
     return;
   }
-  start(level(0), threads);
+  prepare(levels, threads);
   for (int k = 0; k < cycles; ++k) {
     coarse_cycle(1, levels, threads);
-    ascend(level(0), level(1), k + 1 < cycles, threads);
+    ascend(0, k + 1 < cycles, finish, threads);
   }
 }
 

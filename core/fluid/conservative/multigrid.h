@@ -5,6 +5,7 @@
 //
 // What is asleep must hold zeros on all planes: clear() does it. Couplings to nodes asleep are 0.
 
+#include <functional>
 #include <vector>
 
 #include "core/fluid/conservative/bands.h"
@@ -31,8 +32,14 @@ class Multigrid {
   void clear(int x0, int x1, int y0, int y1);
   /// Levels needed for couplings up to `coupling`: 4 times weaker on each, down to 0.3.
   int levels_for(float coupling) const;
+  /// Work on a run of a row that goes along with the solve, while the row is in the cache.
+  using RowWork = std::function<void(const Run& run)>;
   /// `cycles` V-cycles over `levels` >= 1 grids: two Jacobi sweeps before and after.
-  void solve(int cycles, int levels, const Threads& threads);
+  /// `fill`: work that fills the system and the first guess, one after the other: when one is done
+  /// on a row, those before it are done on that row and on both its neighbours. `finish`: done on a
+  /// row when the result is there on it and on both its neighbours.
+  void solve(int cycles, int levels, const Threads& threads, const std::vector<RowWork>& fill = {},
+             const RowWork& finish = {});
 
  private:
   struct Level {
@@ -42,11 +49,14 @@ class Multigrid {
   Level& level(int l) { return levels_[static_cast<std::size_t>(l)]; }
   void prepare(int levels, const Threads& threads);
   void coarse_cycle(int l, int levels, const Threads& threads);
-  void start(Level& fine, const Threads& threads);
+  void start(const std::vector<RowWork>& fill, bool and_restrict, const Threads& threads);
+  void go_on(const RowWork& finish, const Threads& threads);
+  void coarsen_system(const Run& fine_run);
+  void coarsen_residual(const Run& fine_run);
+  bool below_coarse_row(const Run& r) const;
   void descend(Level& here, const Threads& threads);
   void bottom(Level& here, const Threads& threads);
-  void ascend(Level& here, Level& coarse, bool and_descend, const Threads& threads);
-  void restrict_residual(const Level& fine, Level& coarse, const Threads& threads);
+  void ascend(int l, bool and_descend, const RowWork& finish, const Threads& threads);
 
   std::vector<Level> levels_;
 };

@@ -8,7 +8,7 @@ namespace pentimento::conservative {
 namespace {
 
 // Three layers of patchy paint with a bare half, moving at `speed` cells a step at most, and a
-// brush in the middle. Some tiles sleep, so that blocks of columns differ in height.
+// brush in the middle.
 Basin moving(float speed) {
   Basin b({600, 150, 0.6, 0.15}, 3, 3);
   const float to_m_s = 1e-3f / b.dt_s;

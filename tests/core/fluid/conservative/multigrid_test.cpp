@@ -74,11 +74,11 @@ TEST(Multigrid, BandsGiveWhatPlainPassesGive) {
   // for_bands against the definition: a stage sees the stage before of three rows.
   for (const int height : {1, 7, 20, 63}) {
     std::vector<conservative::Run> runs;
-    for (int y = 0; y < height; ++y) runs.push_back({y, 0, 3000});  // so wide that bands are low
+    for (int y = 0; y < height; ++y) runs.push_back({y, 0, 30});
     const RunIndex index(runs, height);
     const int stages = 6;
     std::vector<int> done(static_cast<std::size_t>(height), 0);
-    for_bands(Threads(), index, 3000, stages, [&](int stage, const conservative::Run& r) {
+    for_bands(Threads(), index, stages, [&](int stage, const conservative::Run& r) {
       const auto state = [&](int y) { return done[static_cast<std::size_t>(y)]; };
       EXPECT_EQ(state(r.y), stage);
       for (const int y : {r.y - 1, r.y + 1}) {
