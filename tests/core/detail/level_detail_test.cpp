@@ -1,0 +1,108 @@
+#include "core/detail/level_detail.h"
+
+#include <gtest/gtest.h>
+
+#include "core/detail/lock.h"
+#include "core/fluid/brush_contact.h"
+#include "tests/core/detail/painted.h"
+
+namespace pentimento {
+namespace {
+
+/// A guide of 32 x 32 cells of 1 mm under runny paint left of a front at 45 degrees, all moving.
+class LevelTest : public ::testing::Test {
+ protected:
+  static constexpr int kFactor = 8;
+  LevelTest()
+      : guide_(make_canvas_state({32, 32, 0.032, 0.032}, 1, 1, 3, 1.0f)),
+        edges_(guide_.geometry, 1),
+        contact_(make_brush_contact(32, 32)) {
+    for (int y = 0; y < 32; ++y)
+      for (int x = 0; x + y < 32; ++x) {
+        guide_.depth_m(x, y) = 0.001f;
+        guide_.channel(0, 0)(x, y) = 0.001f;  // 1 per metre: runs
+        edges_.x[0](x, y) = edges_.y[0](x, y) = 0.1f;
+      }
+    for (int t = 0; t < layout_.tiles(); ++t) {
+      canvas_.cover(t, guide_);
+      DetailTile* tile = canvas_.find(t);
+      if (tile == nullptr) continue;
+      for (int y = 0; y < tile->box.height() * kFactor; ++y)
+        for (int x = 0; x < tile->box.width() * kFactor; ++x) {
+          const int gx = tile->box.x0 + x / kFactor, gy = tile->box.y0 + y / kFactor;
+          const std::size_t i = static_cast<std::size_t>(y * layout_.side() + x);
+          tile->depth_m.data()[i] = guide_.depth_m(gx, gy);
+          tile->pigment[0].data()[i] = guide_.channel(0, 0)(gx, gy);
+        }
+    }
+  }
+
+  void level(float pigment_scale, int steps) {
+    for (int y = 0; y < 32; ++y)
+      for (int x = 0; x < 32; ++x) guide_.channel(0, 0)(x, y) *= pigment_scale;
+    const StepInput in{model_, {0, 0, 9.81f}, 1.0f / 45, contact_, amount_, threads_};
+    const std::vector<std::uint8_t> all(static_cast<std::size_t>(layout_.tiles()), 1);
+    std::vector<int> tiles;
+    for (int t = 0; t < layout_.tiles(); ++t)
+      if (canvas_.find(t) != nullptr) tiles.push_back(t);
+    Lock lock(layout_, 1);
+    for (int i = 0; i < steps; ++i) {
+      level_detail(canvas_, guide_, edges_, in, all);
+      lock.lock(canvas_, guide_, tiles, threads_);
+    }
+  }
+  float depth_at(int x, int y) {
+    const int side = layout_.side();
+    const DetailTile* tile = canvas_.find(layout_.tile_of(x / side, y / side));
+    return tile == nullptr || !tile->depth_m ? 0.0f
+                                             : tile->depth_m.data()[y % side * side + x % side];
+  }
+  /// Where row y falls below half the film, in fine cells.
+  int front_of(int y) {
+    int x = 255;
+    while (x > 0 && depth_at(x, y) < 0.0005f) --x;
+    return x;
+  }
+
+  const DetailLayout layout_{{32, 32, 0.032, 0.032}, kFactor};
+  CanvasState guide_;
+  test::PlainGround ground_;
+  std::unique_ptr<TileStore> store_ = std::move(*TileStore::open({128 * 128, "", 0}));
+  DetailCanvas canvas_{layout_, 1, 1, 3, ground_, *store_};
+  PaintEdges edges_;
+  BrushContact contact_;
+  Model model_;
+  std::vector<float> amount_ = {1};
+  Threads threads_{1};
+};
+
+TEST_F(LevelTest, AFrontAtAnAngleLosesItsStaircase) {
+  const auto unevenness = [&] {  // of x + y along the front, mean over rows of the middle
+    double most = 0, least = 1e9;
+    for (int y = 80; y < 176; ++y) {
+      most = std::max(most, static_cast<double>(front_of(y) + y));
+      least = std::min(least, static_cast<double>(front_of(y) + y));
+    }
+    return most - least;
+  };
+  EXPECT_EQ(unevenness(), kFactor - 1);  // the guide's cells
+  level(1, 40);
+  // The cells at the front are full, so their corners must hold paint somewhere: a third of the
+  // staircase remains at most. A front whose last cells are half full has less (docs/fidelity.md).
+  EXPECT_LE(unevenness(), 4);
+}
+
+TEST_F(LevelTest, StiffPaintKeepsItsShape) {
+  const int before = front_of(84);
+  level(30, 5);  // 30 per metre stands
+  EXPECT_EQ(front_of(84), before);
+}
+
+TEST_F(LevelTest, ReducesToTheGuideAfterwards) {
+  level(1, 10);
+  for (const int p : {-1, 0})
+    EXPECT_LT(test::reduced_difference(canvas_, guide_, p), 5e-7);  // rounding of each cell
+}
+
+}  // namespace
+}  // namespace pentimento
