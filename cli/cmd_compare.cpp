@@ -16,7 +16,8 @@ constexpr const char* kAbout =
     "is allowed (nothing, unless a threshold is given); 1: they differ.\n\n"
     "Examples:\n"
     "  pentimento compare before.png after.png --flip 0.02\n"
-    "  pentimento compare a.h5 b.h5 --max 1e-6 --json";
+    "  pentimento compare a.h5 b.h5 --max 1e-6 --json\n"
+    "  pentimento compare tablet.h5 poster.h5 --l2 1e-5 --block 1e-3";
 }
 
 int run_compare(const Arguments& arguments) {
@@ -39,6 +40,14 @@ int run_compare(const Arguments& arguments) {
       ->type_name("N");
   app.add_option("--flip", allowed.flip, "largest mean FLIP of pictures, 0..1")
       ->check(in_range(0.0, 1.0))
+      ->type_name("N");
+  app.add_option("--l2", allowed.relative_l2,
+                 "largest relative L2 difference of what was reduced from a finer canvas")
+      ->check(in_range(0.0, 1e300))
+      ->type_name("N");
+  app.add_option("--block", allowed.worst_block,
+                 "largest relative difference of one block of a finer canvas")
+      ->check(in_range(0.0, 1e300))
       ->type_name("N");
   app.add_option("--threads", thread_count, "0 = all")->check(in_range(0, 1024))->type_name("N");
   app.add_flag("--json", json, "one JSON object");

@@ -32,7 +32,7 @@ struct Options {
   PictureOptions picture;
   TalkOptions talk;
   std::vector<std::string> at, set;
-  std::string scheme, gravity, memory_limit;
+  std::string scheme, gravity, memory_limit, refine;
   bool dry_run = false;
 };
 
@@ -40,7 +40,16 @@ void add_replay_options(CLI::App& app, Options& o) {
   app.add_option("log", o.job.log, "the action log; `-` is standard input")
       ->required()
       ->type_name("");
-  app.add_option("--sim-scale", o.job.sim_scale, "simulation grid / output size")
+  app.add_option("--refine", o.refine,
+                 "guided: the painting of the log's grid, finer; direct: simulate at the picture's "
+                 "size, another painting")
+      ->check(CLI::IsMember({"guided", "direct"}).description(""))
+      ->type_name("guided|direct");
+  app.add_option("--detail", o.job.detail, "fine cells per cell of the log's grid, 1..32")
+      ->check(in_range(1, kMostDetail))
+      ->type_name("K");
+  app.add_option("--sim-scale", o.job.sim_scale,
+                 "simulation grid / output size; with --refine direct")
       ->check(in_range(1e-3, 1e3))
       ->type_name("F");
   app.add_option("--at", o.at, "stop at seconds, step:N or mark:NAME; repeatable, `%` in the name")
@@ -66,6 +75,9 @@ void add_limit_options(CLI::App& app, Options& o) {
                "the log may name files outside its folder");
   app.add_option("--memory-limit", o.memory_limit, "refuse a job that needs more (8G)")
       ->type_name("BYTES");
+  app.add_option("--scratch", o.job.scratch,
+                 "a folder for what does not fit in --memory-limit; its file has no name")
+      ->type_name("DIR");
   app.add_option("--max-events", limits.max_events, "refuse a log with more")
       ->check(in_range(1, 1e18))
       ->type_name("N");
@@ -97,6 +109,7 @@ Result<void> complete(Options& o) {
     if (!gravity) return gravity.error();
     job.gravity = *gravity;
   }
+  if (!o.refine.empty()) job.refine = o.refine == "direct" ? Refine::kDirect : Refine::kGuided;
   if (!o.memory_limit.empty()) {
     Result<std::int64_t> bytes = parse_bytes("--memory-limit", o.memory_limit);
     if (!bytes) return bytes.error();

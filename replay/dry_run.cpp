@@ -56,6 +56,7 @@ Result<JobEstimate> dry_run(const RenderJob& job, const Control& control) {
   JobEstimate estimate;
   estimate.size = *written;
   estimate.grid = session->grid;
+  estimate.detail = session->detail;
   estimate.steps = session->steps;
   estimate.needs = job_needs(job, *session);
   estimate.log_sha256 = session->plan.sha256;
@@ -72,6 +73,7 @@ std::string estimate_json(const JobEstimate& e) {
       .add("dpi", e.size.dpi)
       .add("grid_width", e.grid.width)
       .add("grid_height", e.grid.height)
+      .add("detail", e.detail)
       .add("steps", e.steps)
       .add("memory_bytes", e.needs.memory_bytes)
       .add("disk_bytes", e.needs.disk_bytes)

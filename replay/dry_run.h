@@ -14,6 +14,7 @@ namespace pentimento {
 struct JobEstimate {
   OutputSize size;
   CanvasGeometry grid;
+  int detail = 1;
   std::int64_t steps = 0;
   JobNeeds needs;
   double time_s = 0;  // at most, were paint wet everywhere all the time

@@ -59,15 +59,17 @@ Provenance provenance_of(const Origin& origin, const OutputSize& size, const std
   Provenance out = {{"software", software()},
                     {"log_sha256", origin.log_sha256},
                     {"state_sha256", origin.state_sha256},
-                    {"guide_sha256", origin.state_sha256},
+                    {"guide_sha256", origin.guide_sha256},
                     {"step", std::to_string(origin.step)},
                     {"time_s", fmt::format("{}", origin.time_s)},
                     {"steps_per_second", fmt::format("{}", origin.steps_per_second)},
                     {"grid", fmt::format("{} x {}", origin.grid.width, origin.grid.height)},
+                    {"detail", std::to_string(origin.detail)},
                     {"canvas_m", fmt::format("{} x {}", origin.grid.width_m, origin.grid.height_m)},
                     {"picture", fmt::format("{} x {}", size.width, size.height)},
                     {"dpi", fmt::format("{}", size.dpi)},
                     {"command", origin.command + " -o " + shell_word(pattern)}};
+  if (!origin.other_painting.empty()) out.emplace_back("painting", origin.other_painting);
   add_model(origin.model, out);
   add_lighting(origin.lighting, out);
   for (const auto& [name, sha256] : origin.files) out.emplace_back("file:" + name, sha256);

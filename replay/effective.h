@@ -16,8 +16,11 @@ struct Origin {
   std::string log_sha256;
   std::map<std::string, std::string> files;  // named by the log: name, SHA-256
   std::string state_sha256;
+  std::string guide_sha256;
   Model model;
-  CanvasGeometry grid;
+  CanvasGeometry grid;  // of the simulation
+  int detail = 1;
+  std::string other_painting;  // why it is not the painting of the log's grid; empty: it is
   double steps_per_second = 45;
   std::int64_t step = 0;
   double time_s = 0;

@@ -49,6 +49,7 @@ Result<void> Hand::act(const log::Action& action) {
   } else if (std::holds_alternative<log::Dry>(action)) {
     simulation_.dry();
   } else if (std::holds_alternative<log::Clear>(action)) {
+    if (input_.fine_ground != nullptr) input_.fine_ground->clear();
     simulation_.clear();
   } else if (const auto* picture = std::get_if<log::Load>(&action)) {
     return load(*picture);
@@ -73,6 +74,18 @@ void Hand::slide(const log::Slider& slider) {
   }
 }
 
+/// The finer canvas takes the picture at its own size.
+void Hand::load_fine(std::array<Field<float>, 3> rgb) {
+  std::vector<Field<float>> bands;
+  for (Field<float>& plane : rgb) {
+    for (int y = 0; y < plane.height(); ++y) {
+      for (float& r : plane.view().row_span(y)) r = std::clamp(r, 0.0f, 1.0f);
+    }
+    bands.push_back(std::move(plane));
+  }
+  input_.fine_ground->load(std::move(bands));
+}
+
 Result<void> Hand::load(const log::Load& load) {
   Result<std::string> path = input_.files.use(load.file);
   if (!path) return path.error();
@@ -86,6 +99,7 @@ Result<void> Hand::load(const log::Load& load) {
       for (float& r : reflectance.back().view().row_span(y)) r = std::clamp(r, 0.0f, 1.0f);
     }
   }
+  if (input_.fine_ground != nullptr) load_fine(std::move(*rgb));
   simulation_.load(reflectance);
   return {};
 }

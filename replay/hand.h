@@ -2,11 +2,13 @@
 // The painter's hand and the tablet's controls: a cue of the timeline becomes calls to the
 // simulation.
 
+#include <array>
 #include <optional>
 
 #include "core/brush/brush_settings.h"
 #include "core/simulation.h"
 #include "replay/brushes.h"
+#include "replay/fine_ground.h"
 #include "replay/log_files.h"
 #include "replay/palette.h"
 #include "replay/timeline/cue.h"
@@ -20,6 +22,7 @@ struct HandInput {
   int first_color = 0;  // index into the palette
   LogFiles& files;
   std::optional<Vec3f> fixed_gravity;  // in place of the log's, core's frame
+  FineGround* fine_ground = nullptr;   // of the finer canvas, if there is one
 };
 
 class Hand {
@@ -35,6 +38,7 @@ class Hand {
   void dip(const log::Color& color);
   void slide(const log::Slider& slider);
   Result<void> load(const log::Load& load);
+  void load_fine(std::array<Field<float>, 3> rgb);
 
   Simulation& simulation_;
   const HandInput input_;

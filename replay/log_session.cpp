@@ -61,6 +61,21 @@ Result<void> start_from(const std::string& path, LogSession& session) {
   return {};
 }
 
+/// How the size asked for is reached. Errors: kUsage for options that exclude each other.
+Result<void> choose_refinement(const RenderJob& job, LogSession& session) {
+  session.refine = job.refine.value_or(job.sim_scale ? Refine::kDirect : Refine::kGuided);
+  if (session.refine == Refine::kDirect) {
+    if (!job.detail) return {};
+    return Error{ErrorCode::kUsage, "--detail is for --refine guided: direct has one grid"};
+  }
+  if (job.sim_scale) {
+    return Error{ErrorCode::kUsage,
+                 "--sim-scale is for --refine direct: guided simulates on the log's grid"};
+  }
+  session.detail = job.detail.value_or(detail_for(session.size, session.canvas));
+  return {};
+}
+
 CanvasGeometry simulation_grid(const OutputSize& size, const RenderJob& job,
                                const CanvasGeometry& canvas) {
   const double scale = job.sim_scale.value_or(1);
@@ -117,7 +132,11 @@ Result<LogSession> open_session(const RenderJob& job, const Control& control) {
   Result<OutputSize> size = output_size(job.size, session.canvas);
   if (!size) return size.error();
   session.size = *size;
-  if (!session.start) session.grid = simulation_grid(*size, job, session.canvas);
+  if (Result<void> chosen = choose_refinement(job, session); !chosen) return chosen.error();
+  if (!session.start) {
+    session.grid = session.refine == Refine::kDirect ? simulation_grid(*size, job, session.canvas)
+                                                     : session.canvas;
+  }
   session.steps = steps_to_simulate(session.plan, job, header.steps_per_second);
   tell_oddities(session, control);
   return session;

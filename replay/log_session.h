@@ -28,7 +28,9 @@ struct LogSession {
   std::optional<StateDump> start;  // --from, its channels in `basis`
   CanvasGeometry canvas;           // the log's grid
   OutputSize size;
-  CanvasGeometry grid;     // of the simulation
+  CanvasGeometry grid;  // of the simulation
+  Refine refine = Refine::kGuided;
+  int detail = 1;          // fine cells per cell of `grid`
   std::int64_t steps = 0;  // to be simulated
 };
 

@@ -150,7 +150,7 @@ Result<void> OutputSet::add_states(const std::vector<PlannedOutput>& outputs, co
     options.no_clobber = settings_.picture.no_clobber;
     Result<std::unique_ptr<OutputFile>> file = complete_state(output.path, dump, options);
     if (!file) return file.error();
-    const CanvasGeometry& grid = dump.state.geometry;
+    const CanvasGeometry& grid = dump.fine ? dump.fine->geometry() : dump.state.geometry;
     pending_.push_back({{output.path, grid.width, grid.height, {}}, {}, std::move(*file)});
   }
   return {};

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/canvas_state.h"
+#include "core/detail/detail_layout.h"
 #include "core/result.h"
 
 namespace pentimento {
@@ -28,5 +29,9 @@ struct OutputSize {
 /// and stands or lies as the canvas does. Errors: kUsage (two ways, or text that is no size),
 /// kLimit (beyond 2^20 pixels a side).
 Result<OutputSize> output_size(const SizeRequest& request, const CanvasGeometry& grid);
+
+/// How many times finer than `grid` a canvas must be so that no pixel is smaller than its cells:
+/// the smallest whole number, at most kMostDetail.
+int detail_for(const OutputSize& size, const CanvasGeometry& grid);
 
 }  // namespace pentimento

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "formats/hdf5/state_dump.h"
+#include "formats/io/provenance.h"
 #include "replay/copies.h"
 #include "replay/effective.h"
 #include "replay/light_override.h"
@@ -29,6 +30,9 @@ Origin origin_of(const StateDump& dump, const RelightJob& job) {
   Origin origin;
   origin.log_sha256 = dump.log_sha256;
   origin.state_sha256 = dump.state_sha256;
+  origin.guide_sha256 = dump.guide_sha256;
+  origin.detail = dump.detail;
+  origin.other_painting = provenance_value(dump.provenance, "painting");
   origin.model = dump.model;
   origin.grid = dump.state.geometry;
   origin.steps_per_second = dump.steps_per_second;
@@ -37,6 +41,14 @@ Origin origin_of(const StateDump& dump, const RelightJob& job) {
   origin.lighting = clone_lighting(dump.lighting);
   origin.command = job.command;
   return origin;
+}
+
+/// As in a render; without any way given, a pixel for each cell of the dump's canvas.
+Result<OutputSize> relit_size(SizeRequest request, const CanvasGeometry& guide,
+                              const CanvasGeometry& canvas) {
+  if (!request.width && !request.height && !request.scale && !request.print)
+    request.width = canvas.width;
+  return output_size(request, guide);
 }
 }  // namespace
 
@@ -53,13 +65,14 @@ Result<JobReport> relight(const RelightJob& job, const Control& control) {
   Result<LightOverride> light = LightOverride::make(job.light);
   if (!light) return light.error();
   light->apply(dump->lighting);
-  Result<OutputSize> size = output_size(job.size, dump->state.geometry);
+  const StateSource guide(dump->state);
+  const CanvasSource& canvas = dump->fine ? *dump->fine : guide;
+  Result<OutputSize> size = relit_size(job.size, dump->state.geometry, canvas.geometry());
   if (!size) return size.error();
 
   const Threads threads(job.threads);
   const OutputSettings settings{job.picture, *size, threads.count(), control};
   OutputSet set(settings, watch);
-  const StateSource canvas(dump->state);
   const Scene scene{canvas, dump->basis, dump->model, dump->lighting};
   if (Result<void> added = set.add_pictures(*outputs, scene, origin_of(*dump, job)); !added) {
     return added.error();
@@ -71,7 +84,9 @@ Result<JobReport> relight(const RelightJob& job, const Control& control) {
   JobReport report;
   report.outputs = std::move(*written);
   report.threads = threads.count();
-  report.state_sha256 = report.guide_sha256 = dump->state_sha256;
+  report.state_sha256 = dump->state_sha256;
+  report.guide_sha256 = dump->guide_sha256;
+  report.detail = dump->detail;
   report.log_sha256 = dump->log_sha256;
   report.phases = watch.phases();
   report.wall_s = watch.total_s();

@@ -1,9 +1,12 @@
 #include "replay/render.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <numeric>
 #include <utility>
 
+#include "replay/canvas_view.h"
 #include "replay/copies.h"
 #include "replay/effective.h"
 #include "replay/light_override.h"
@@ -40,6 +43,7 @@ class Replay {
   Result<void> play_to_stop(std::size_t stop);
   Result<void> write(const std::vector<PlannedOutput>& files);
   Origin origin(const Lighting& lighting) const;
+  StateDump dump_of(const CanvasView& view, Lighting lighting, const Origin& from) const;
   double time_s() const;
   void conclude();
 
@@ -55,6 +59,7 @@ class Replay {
   std::vector<std::vector<PlannedOutput>> files_;  // per stop
   std::int64_t first_step_ = 0;
   std::unique_ptr<Simulation> simulation_;
+  std::unique_ptr<FineCanvas> fine_;  // none at detail 1
   std::unique_ptr<Timeline> timeline_;
   std::unique_ptr<Hand> hand_;
   std::unique_ptr<Player> player_;
@@ -90,7 +95,16 @@ Result<JobReport> Replay::run() {
   return std::move(report_);
 }
 
+/// Why a direct simulation is another painting; empty if it runs on the log's grid.
+std::string other_painting(const LogSession& session) {
+  const CanvasGeometry &a = session.grid, &b = session.canvas;
+  if (a.width == b.width && a.height == b.height) return {};
+  return fmt::format("another than the log's: simulated on {} x {} cells, not on {} x {}", a.width,
+                     a.height, b.width, b.height);
+}
+
 Result<void> Replay::begin() {
+  report_.other_painting = other_painting(session_);
   Result<std::vector<std::vector<PlannedOutput>>> files =
       plan_outputs(job_.picture.outputs, job_.stops);
   if (!files) return files.error();
@@ -103,14 +117,20 @@ Result<void> Replay::begin() {
   if (!simulation) return simulation.error();
   simulation_ = std::move(*simulation);
   first_step_ = simulation_->state().step;
+  if (session_.detail > 1) {
+    Result<std::unique_ptr<FineCanvas>> fine = FineCanvas::follow(
+        *simulation_, session_.detail, session_.reader->header().paper, session_.files, threads_);
+    if (!fine) return fine.error();
+    fine_ = std::move(*fine);
+  }
   const TimelineInput input{session_.plan.undo, session_.brushes, session_.plan.stepped,
                             last_stroke_id(simulation_->state()) + 1};
   timeline_ = std::make_unique<Timeline>(*session_.reader, input);
   std::optional<Vec3f> gravity;
   if (job_.gravity) gravity = core_gravity(log_gravity(*job_.gravity));
   hand_ = std::make_unique<Hand>(
-      *simulation_,
-      HandInput{session_.brushes, session_.palette, session_.first_color, session_.files, gravity});
+      *simulation_, HandInput{session_.brushes, session_.palette, session_.first_color,
+                              session_.files, gravity, fine_ ? &fine_->ground() : nullptr});
   player_ = std::make_unique<Player>(PlayerInput{*timeline_, *simulation_, *hand_, lighting_,
                                                  session_.files, control_, session_.steps});
   return {};
@@ -150,8 +170,11 @@ Origin Replay::origin(const Lighting& lighting) const {
   origin.log_sha256 = session_.plan.sha256;
   origin.files = session_.files.hashes();
   origin.state_sha256 = report_.state_sha256;
+  origin.guide_sha256 = report_.guide_sha256;
   origin.model = simulation_->model();
   origin.grid = session_.grid;
+  origin.detail = session_.detail;
+  origin.other_painting = report_.other_painting;
   origin.steps_per_second = session_.reader->header().steps_per_second;
   origin.step = simulation_->state().step;
   origin.time_s = time_s();
@@ -162,17 +185,24 @@ Origin Replay::origin(const Lighting& lighting) const {
 
 Result<void> Replay::write(const std::vector<PlannedOutput>& files) {
   watch_.start("hash");
-  report_.state_sha256 = state_sha256(simulation_->state());
+  const CanvasView view = make_canvas_view(*simulation_, fine_.get(), session_.detail);
+  report_.guide_sha256 = state_sha256(simulation_->state());
+  report_.state_sha256 = view.detail > 1 ? state_sha256(*view.canvas) : report_.guide_sha256;
   Lighting lighting = clone_lighting(lighting_.lighting());
   light_.apply(lighting);
   settle_lamp(lighting.lamp, job_.gravity ? log_gravity(*job_.gravity) : lighting_.gravity());
-  const StateSource canvas(simulation_->state());
-  const Scene scene{canvas, simulation_->basis(), simulation_->model(), lighting};
+  const Scene scene{*view.canvas, simulation_->basis(), simulation_->model(), lighting};
   const Origin from = origin(lighting);
   if (Result<void> shaded = outputs_.add_pictures(files, scene, from); !shaded) return shaded;
   if (!any_state(files)) return {};
+  return outputs_.add_states(files, dump_of(view, std::move(lighting), from), from);
+}
+
+StateDump Replay::dump_of(const CanvasView& view, Lighting lighting, const Origin& from) const {
   StateDump dump;
   dump.state = clone_state(simulation_->state());
+  dump.detail = view.detail;
+  if (view.detail > 1) dump.fine = view.canvas;
   dump.model = simulation_->model();
   dump.basis = simulation_->basis();
   dump.palette = session_.palette.pigments();
@@ -181,7 +211,8 @@ Result<void> Replay::write(const std::vector<PlannedOutput>& files) {
   dump.time_s = from.time_s;
   dump.log_sha256 = from.log_sha256;
   dump.state_sha256 = from.state_sha256;
-  return outputs_.add_states(files, dump, from);
+  dump.guide_sha256 = from.guide_sha256;
+  return dump;
 }
 
 void Replay::conclude() {
@@ -190,7 +221,7 @@ void Replay::conclude() {
   report_.steps_computed = player_->steps_computed();
   report_.simulated_s =
       StepClock(session_.reader->header().steps_per_second).seconds(report_.steps);
-  report_.guide_sha256 = report_.state_sha256;
+  report_.detail = session_.detail;
   report_.log_sha256 = session_.plan.sha256;
   report_.threads = threads_.count();
   report_.paint = paint_lines(*simulation_);

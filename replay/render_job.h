@@ -37,11 +37,19 @@ struct PictureChoice {
   bool no_clobber = false;
 };
 
+/// How a picture larger than the log's grid comes to its detail.
+enum class Refine {
+  kGuided,  // the simulation runs on the log's grid; a finer canvas follows it: the same painting
+  kDirect   // the simulation runs at the picture's size: another painting
+};
+
 struct RenderJob {
   std::string log;   // "-" = standard input
   std::string from;  // a state dump to start from; empty: an empty canvas
   SizeRequest size;
-  std::optional<double> sim_scale;  // simulation grid / output size
+  std::optional<Refine> refine;     // none: guided, but direct with `sim_scale`
+  std::optional<int> detail;        // fine cells per cell of the guide, 1..32; none: by the size
+  std::optional<double> sim_scale;  // simulation grid / output size; direct only
   std::vector<StopPoint> stops;
   std::optional<double> settle_s;
   std::vector<std::pair<std::string, std::string>> model;  // --set, names without "model."
@@ -50,6 +58,7 @@ struct RenderJob {
   PictureChoice picture;
   int threads = 0;                         // 0 = all
   std::optional<std::int64_t> max_memory;  // bytes; none: what the machine has
+  std::string scratch;                     // a folder for what does not fit in memory; empty: none
   log::ReaderOptions reading;
   std::string command;  // the command line without its -o, for provenance
 };

@@ -85,7 +85,9 @@ std::string report_json(const JobReport& report) {
       .add("threads", report.threads)
       .add("state_sha256", report.state_sha256)
       .add("guide_sha256", report.guide_sha256)
+      .add("detail", report.detail)
       .add("log_sha256", report.log_sha256);
+  if (!report.other_painting.empty()) json.add("painting", report.other_painting);
   if (!report.paint.empty()) json.add_json("paint", paint_json(report.paint));
   if (!report.fluid.empty()) {
     JsonObject fluid;
@@ -108,6 +110,8 @@ std::string report_text(const JobReport& report) {
     text += fmt::format("{} steps ({} computed), {:.1f} s simulated\n", report.steps,
                         report.steps_computed, report.simulated_s);
   }
+  if (report.detail > 1) text += fmt::format("canvas {} times finer\n", report.detail);
+  if (!report.other_painting.empty()) text += "painting: " + report.other_painting + "\n";
   return text + fmt::format("{:.1f} s, {} MB, state {:.16}\n", report.wall_s,
                             report.peak_memory_bytes / 1'000'000, report.state_sha256);
 }

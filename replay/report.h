@@ -41,6 +41,8 @@ struct JobReport {
   int threads = 1;
   std::string state_sha256;
   std::string guide_sha256;
+  int detail = 1;              // fine cells per cell of the simulation
+  std::string other_painting;  // why it is not the painting of the log's grid; empty: it is
   std::string log_sha256;
   std::vector<PaintLine> paint;  // the medium first, then a line per channel
   /// What the fluid scheme measured of itself: awake shares, largest speed and depth...

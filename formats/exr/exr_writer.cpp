@@ -9,6 +9,8 @@
 #include <ImfStandardAttributes.h>
 #include <ImfStringAttribute.h>
 #include <ImfThreading.h>
+#include <ImfTileDescription.h>
+#include <ImfTiledOutputFile.h>
 #include <fmt/format.h>
 #include <half.h>
 
@@ -25,7 +27,7 @@ namespace pentimento {
 
 namespace {
 
-constexpr int kRowsPerCheck = 64;
+constexpr int kTile = 256;  // pixels a side; also the rows that are compressed at once
 constexpr float kLargestHalf = 65504.0f;
 
 /// Rows of all channels as they are stored: [channel][y][x], half or float.
@@ -58,8 +60,8 @@ class StoredRows {
     return buffer;
   }
   /// Row by row, channel by channel: the same whatever the strips' heights.
-  void hash_into(Sha256& hash) {
-    for (int y = 0; y < rows_; ++y)
+  void hash_into(Sha256& hash, int rows) {
+    for (int y = 0; y < rows; ++y)
       for (int c = 0; c < channels_; ++c) hash.update(row(c, y), pitch());
   }
 
@@ -84,9 +86,14 @@ bool store_row(const float* in, int width, bool full_float, char* out) {
   return numbers;
 }
 
+bool is_tiled(const ExrOptions& options) {
+  return std::max(options.width, options.height) > kLongestScanlineSide;
+}
+
 Imf::Header make_header(const ExrOptions& options) {
   Imf::Header header(options.width, options.height);
   header.compression() = Imf::PIZ_COMPRESSION;
+  if (is_tiled(options)) header.setTileDescription(Imf::TileDescription(kTile, kTile));
   for (const std::string& name : options.channels)
     header.channels().insert(name, Imf::Channel(options.full_float ? Imf::FLOAT : Imf::HALF));
   Imf::addChromaticities(header, Imf::Chromaticities());  // the default is Rec. 709 with D65
@@ -99,6 +106,33 @@ Imf::Header make_header(const ExrOptions& options) {
   return header;
 }
 
+/// Bands of kTile rows into lines or tiles.
+class ExrOutput {
+ public:
+  ExrOutput(Imf::OStream& stream, const ExrOptions& options, int threads) {
+    const Imf::Header header = make_header(options);
+    if (is_tiled(options)) {
+      tiles_ = std::make_unique<Imf::TiledOutputFile>(stream, header, threads);
+    } else {
+      lines_ = std::make_unique<Imf::OutputFile>(stream, header, threads);
+    }
+  }
+  /// Rows [y0, y0 + rows); y0 is a multiple of kTile.
+  void write(const Imf::FrameBuffer& buffer, int y0, int rows) {
+    if (lines_) {
+      lines_->setFrameBuffer(buffer);
+      lines_->writePixels(rows);
+    } else {
+      tiles_->setFrameBuffer(buffer);
+      tiles_->writeTiles(0, tiles_->numXTiles() - 1, y0 / kTile, y0 / kTile);
+    }
+  }
+
+ private:
+  std::unique_ptr<Imf::OutputFile> lines_;  // one of the two
+  std::unique_ptr<Imf::TiledOutputFile> tiles_;
+};
+
 class ExrFile final : public PictureFile {
  public:
   ExrFile(std::string path, std::unique_ptr<OutputFile> file, const ExrOptions& options)
@@ -110,9 +144,11 @@ class ExrFile final : public PictureFile {
         height_(options.height),
         full_float_(options.full_float),
         threads_(options.threads),
-        output_(std::make_unique<Imf::OutputFile>(stream_, make_header(options),
-                                                  threads_.count() > 1 ? threads_.count() : 0)),
-        stored_(static_cast<int>(names_.size()), width_, full_float_) {}
+        output_(std::make_unique<ExrOutput>(stream_, options,
+                                            threads_.count() > 1 ? threads_.count() : 0)),
+        band_(static_cast<int>(names_.size()), width_, full_float_) {
+    band_.resize(std::min(kTile, height_));
+  }
 
   Result<void> write(const PictureStrip& strip) override;
   Result<Published> complete() override;
@@ -122,6 +158,9 @@ class ExrFile final : public PictureFile {
   }
 
  private:
+  /// Stores `rows` rows of the strip, from its row `from` on, below what the band has.
+  Result<void> fill_band(const PictureStrip& strip, int from, int rows);
+  Result<void> write_band();
   Result<void> check(const std::string& temporary) const;
 
   std::string path_;
@@ -131,38 +170,54 @@ class ExrFile final : public PictureFile {
   int width_, height_;
   bool full_float_;
   Threads threads_;
-  std::unique_ptr<Imf::OutputFile> output_;
-  StoredRows stored_;
-  Sha256 values_;  // of all that was handed over, as stored
-  int rows_ = 0;
+  std::unique_ptr<ExrOutput> output_;
+  StoredRows band_;
+  int band_rows_ = 0;  // of it, filled
+  Sha256 values_;      // of all that was handed over, as stored
+  int rows_ = 0;       // taken so far
 };
+
+Result<void> ExrFile::fill_band(const PictureStrip& strip, int from, int rows) {
+  const int channels = static_cast<int>(names_.size());
+  std::vector<std::uint8_t> bad(static_cast<std::size_t>(rows), 0);
+  threads_.for_rows(rows, [&](int y) {
+    for (int c = 0; c < channels; ++c)
+      if (!store_row(strip.plane[static_cast<std::size_t>(c)].row(from + y), width_, full_float_,
+                     band_.row(c, band_rows_ + y)))
+        bad[static_cast<std::size_t>(y)] = 1;
+  });
+  band_rows_ += rows;
+  rows_ += rows;
+  const auto first_bad = std::find(bad.begin(), bad.end(), 1);
+  if (first_bad == bad.end()) return {};
+  return Error{ErrorCode::kNonFinite,
+               fmt::format("{}: the picture has a value that is not a number in row {}", path_,
+                           strip.y0 + from + (first_bad - bad.begin()))};
+}
+
+Result<void> ExrFile::write_band() {
+  const int y0 = rows_ - band_rows_;
+  band_.hash_into(values_, band_rows_);
+  try {
+    output_->write(band_.frame(names_, y0), y0, band_rows_);
+  } catch (const std::exception& error) {
+    return Error{ErrorCode::kIo, path_ + ": " + error.what()};
+  }
+  band_rows_ = 0;
+  return file_->status();
+}
 
 Result<void> ExrFile::write(const PictureStrip& strip) {
   PENTIMENTO_CHECK(strip.y0 == rows_ && strip.plane.size() == names_.size());
   PENTIMENTO_CHECK(strip.y0 + strip.rows <= height_);
-  const int channels = static_cast<int>(names_.size());
-  stored_.resize(strip.rows);
-  std::vector<std::uint8_t> bad(static_cast<std::size_t>(strip.rows), 0);
-  threads_.for_rows(strip.rows, [&](int y) {
-    for (int c = 0; c < channels; ++c)
-      if (!store_row(strip.plane[static_cast<std::size_t>(c)].row(y), width_, full_float_,
-                     stored_.row(c, y)))
-        bad[static_cast<std::size_t>(y)] = 1;
-  });
-  const auto first_bad = std::find(bad.begin(), bad.end(), 1);
-  if (first_bad != bad.end())
-    return Error{ErrorCode::kNonFinite,
-                 fmt::format("{}: the picture has a value that is not a number in row {}", path_,
-                             strip.y0 + (first_bad - bad.begin()))};
-  stored_.hash_into(values_);
-  rows_ += strip.rows;
-  try {
-    output_->setFrameBuffer(stored_.frame(names_, strip.y0));
-    output_->writePixels(strip.rows);
-  } catch (const std::exception& error) {
-    return Error{ErrorCode::kIo, path_ + ": " + error.what()};
+  for (int from = 0; from < strip.rows;) {
+    const int rows = std::min(strip.rows - from, kTile - band_rows_);
+    if (Result<void> filled = fill_band(strip, from, rows); !filled) return filled;
+    from += rows;
+    if (band_rows_ < kTile && rows_ < height_) continue;
+    if (Result<void> written = write_band(); !written) return written;
   }
-  return file_->status();
+  return {};
 }
 
 /// Decodes the whole file and compares with what was handed over.
@@ -171,12 +226,12 @@ Result<void> ExrFile::check(const std::string& temporary) const {
   try {
     Imf::InputFile input(temporary.c_str(), threads_.count() > 1 ? threads_.count() : 0);
     StoredRows rows(static_cast<int>(names_.size()), width_, full_float_);
-    for (int y = 0; y < height_; y += kRowsPerCheck) {
-      const int last = std::min(y + kRowsPerCheck, height_) - 1;
+    for (int y = 0; y < height_; y += kTile) {
+      const int last = std::min(y + kTile, height_) - 1;
       rows.resize(last - y + 1);
       input.setFrameBuffer(rows.frame(names_, y));
       input.readPixels(y, last);
-      rows.hash_into(decoded);
+      rows.hash_into(decoded, last - y + 1);
     }
   } catch (const std::exception& error) {
     return Error{ErrorCode::kIo, path_ + ": reading back: " + error.what()};

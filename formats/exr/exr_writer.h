@@ -1,6 +1,7 @@
 #pragma once
 // OpenEXR out: scene-linear, half or float, AOV layers, chromaticities, xDensity, provenance
-// attributes; streamed and published atomically.
+// attributes; streamed and published atomically. Posters are tiled, so that programs can show a
+// part without reading the rest.
 
 #include <memory>
 #include <string>
@@ -20,6 +21,9 @@ struct ExrOptions {
   int threads = 1;
   bool no_clobber = false;
 };
+
+/// Pictures with a longer side are written in tiles of 256 x 256 pixels.
+inline constexpr int kLongestScanlineSide = 8192;
 
 Result<std::unique_ptr<PictureFile>> create_exr(const std::string& path, const ExrOptions& options);
 

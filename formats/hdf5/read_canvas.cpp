@@ -42,8 +42,10 @@ Result<Shape> shape_in_file(const CanvasGroup& from, const char* name, std::size
 }
 
 /// The part of a dataset that `block` rows from `row` on make, in a plane-after-plane count.
-bool select_rows(hid_t space, const Shape& shape, std::uint64_t row, std::uint64_t rows) {
-  hsize_t start[4] = {}, count[4] = {};
+/// `count` becomes its shape.
+bool select_rows(hid_t space, const Shape& shape, std::uint64_t row, std::uint64_t rows,
+                 hsize_t (&count)[4]) {
+  hsize_t start[4] = {};
   const std::size_t rank = shape.size();
   for (std::size_t i = 0; i < rank; ++i) count[i] = shape[i];
   const std::size_t y_axis = rank == 3 ? 0 : rank - 2;
@@ -73,9 +75,10 @@ bool for_each_row(hid_t file, const std::string& name, const Shape& shape, hid_t
   for (std::uint64_t plane = 0; plane < planes; ++plane) {
     for (std::uint64_t y = 0; y < ny; y += block) {
       const std::uint64_t rows = std::min(block, ny - y);
-      const hsize_t count = rows * row_values;
-      const Handle memory(H5Screate_simple(1, &count, nullptr), H5Sclose);
-      if (!select_rows(space.id(), shape, plane * ny + y, rows)) return false;
+      hsize_t count[4] = {};
+      if (!select_rows(space.id(), shape, plane * ny + y, rows, count)) return false;
+      // Of the same shape as what is read: otherwise HDF5 goes value by value.
+      const Handle memory(H5Screate_simple(static_cast<int>(rank), count, nullptr), H5Sclose);
       if (H5Dread(dataset.id(), type, memory.id(), space.id(), H5P_DEFAULT, values.data()) < 0)
         return false;
       for (std::uint64_t i = 0; i < rows; ++i)

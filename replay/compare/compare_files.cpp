@@ -7,6 +7,8 @@ namespace pentimento {
 
 namespace {
 
+constexpr std::int64_t kMostPixels = std::int64_t{1} << 29;  // posters: 6 GB a picture
+
 /// By its first bytes; what cannot be opened is left to the readers to report.
 bool is_hdf5(const std::string& path) {
   constexpr std::string_view kSignature = "\x89HDF\r\n\x1A\n";
@@ -18,19 +20,22 @@ bool is_hdf5(const std::string& path) {
   return std::string_view(head, n) == kSignature;
 }
 
-Result<Comparison> compare_dumps(const std::string& a, const std::string& b) {
+Result<Comparison> compare_dumps(const std::string& a, const std::string& b,
+                                 const Threads& threads) {
   const Result<StateDump> left = read_state(a);
   if (!left) return left.error();
   const Result<StateDump> right = read_state(b);
   if (!right) return right.error();
-  return compare_states(*left, *right);
+  return compare_states(*left, *right, threads);
 }
 
 Result<Comparison> compare_images(const std::string& a, const std::string& b,
                                   const Threads& threads) {
-  const Result<Image> left = read_image(a);
+  ImageReadOptions options;
+  options.limits.max_pixels = kMostPixels;
+  const Result<Image> left = read_image(a, options);
   if (!left) return left.error();
-  const Result<Image> right = read_image(b);
+  const Result<Image> right = read_image(b, options);
   if (!right) return right.error();
   return compare_pictures(*left, *right, threads);
 }
@@ -42,7 +47,8 @@ Result<Comparison> compare_files(const std::string& a, const std::string& b,
   const bool dumps = is_hdf5(a);
   if (dumps != is_hdf5(b))
     return Error{ErrorCode::kBadInput, a + " and " + b + ": a state against a picture"};
-  Result<Comparison> comparison = dumps ? compare_dumps(a, b) : compare_images(a, b, threads);
+  Result<Comparison> comparison =
+      dumps ? compare_dumps(a, b, threads) : compare_images(a, b, threads);
   if (!comparison) return comparison.error();
   comparison->a = a;
   comparison->b = b;

@@ -1,5 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "formats/image/resample.h"
 #include "formats/image/srgb.h"
 #include "replay/compare/compare.h"
 #include "replay/compare/flip.h"
@@ -48,6 +51,20 @@ void add_flip(const Image& a, const Image& b, const Threads& threads, Comparison
   out.flip_max = largest;
 }
 
+/// By area means of linear light, to the size of `other`.
+Image reduced(const Image& image, const Image& other) {
+  Image out;
+  out.width = other.width;
+  out.height = other.height;
+  out.name = image.name;
+  out.format = image.format;
+  out.bits = image.bits;
+  out.stored_float = image.stored_float;
+  for (const Field<float>& plane : image.plane)
+    out.plane.push_back(resample_area(plane.view(), other.width, other.height));
+  return out;
+}
+
 void note_missing(const Image& a, const Image& b, const char* where, Comparison& out) {
   for (const std::string& name : a.name)
     if (b.find(name) == nullptr) {
@@ -59,6 +76,15 @@ void note_missing(const Image& a, const Image& b, const char* where, Comparison&
 }  // namespace
 
 Comparison compare_pictures(const Image& a, const Image& b, const Threads& threads) {
+  const int up = whole_ratio({a.width, a.height}, {b.width, b.height});
+  const int down = whole_ratio({b.width, b.height}, {a.width, a.height});
+  if (up > 1 || down > 1) {
+    Comparison out = up > 1 ? compare_pictures(a, reduced(b, a), threads)
+                            : compare_pictures(reduced(a, b), b, threads);
+    out.reduced = std::max(up, down);
+    out.notes.push_back(fmt::format("the larger picture was reduced {} times", out.reduced));
+    return out;
+  }
   Comparison out;
   out.kind = "picture";
   if (a.width != b.width || a.height != b.height) {

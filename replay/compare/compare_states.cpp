@@ -28,14 +28,14 @@ class States {
   Comparison& out_;
 };
 
-bool same_shape(const CanvasState& a, const CanvasState& b) {
-  return a.geometry.width == b.geometry.width && a.geometry.height == b.geometry.height &&
-         a.layers == b.layers && a.channels == b.channels && a.bands == b.bands;
+/// Whether the planes mean the same, whatever their size.
+bool same_paint(const CanvasSource& a, const CanvasSource& b) {
+  return a.layers() == b.layers() && a.channels() == b.channels() && a.bands() == b.bands();
 }
 
-std::string shape_text(const CanvasState& s) {
-  return fmt::format("{} x {} cells, {} layers, {} channels, {} bands", s.geometry.width,
-                     s.geometry.height, s.layers, s.channels, s.bands);
+std::string shape_text(const CanvasSource& s) {
+  return fmt::format("{} x {} cells, {} layers, {} channels, {} bands", s.geometry().width,
+                     s.geometry().height, s.layers(), s.channels(), s.bands());
 }
 
 void note_model(const Model& a, const Model& b, Comparison& out) {
@@ -81,19 +81,7 @@ void note_rest(const StateDump& a, const StateDump& b, Comparison& out) {
   if (!same_light(a.lighting, b.lighting)) out.notes.push_back("the lighting differs");
 }
 
-}  // namespace
-
-Comparison compare_states(const StateDump& a, const StateDump& b) {
-  Comparison out;
-  out.kind = "state";
-  const CanvasState& s = a.state;
-  const CanvasState& t = b.state;
-  note_rest(a, b, out);
-  if (!same_shape(s, t)) {
-    out.notes.push_back(shape_text(s) + " against " + shape_text(t));
-    out.comparable = false;
-    return out;
-  }
+void compare_planes(const CanvasState& s, const CanvasState& t, Comparison& out) {
   States states(out);
   states.add("/fluid/depth", s.depth_m, t.depth_m);
   states.add("/fluid/velocity_x", s.velocity_x_m_s, t.velocity_x_m_s);
@@ -107,6 +95,38 @@ Comparison compare_states(const StateDump& a, const StateDump& b) {
       states.add(fmt::format("/layers/pigment[{},{}]", layer, c), s.channel(layer, c),
                  t.channel(layer, c));
   states.add("/layers/stroke", s.stroke, t.stroke);
+}
+
+}  // namespace
+
+Result<Comparison> compare_states(const StateDump& a, const StateDump& b, const Threads& threads) {
+  Comparison out;
+  out.kind = "state";
+  note_rest(a, b, out);
+  const StateSource left(a.state), right(b.state);
+  const CanvasSource& s = a.fine ? *a.fine : left;
+  const CanvasSource& t = b.fine ? *b.fine : right;
+  const int up = whole_ratio(s.geometry(), t.geometry());
+  const int down = whole_ratio(t.geometry(), s.geometry());
+  if (!same_paint(s, t) || (up == 0 && down == 0)) {
+    out.notes.push_back(shape_text(s) + " against " + shape_text(t));
+    out.comparable = false;
+    return out;
+  }
+  if (up == 1 && !a.fine && !b.fine) {
+    compare_planes(a.state, b.state, out);
+    return out;
+  }
+  out.reduced = std::max(up, down);
+  out.notes.push_back(fmt::format("the finer canvas was reduced {} times", out.reduced));
+  if (up > 0) {
+    compare_reduced(s, t, a.basis, threads, out);
+  } else {
+    compare_reduced(t, s, b.basis, threads, out);
+  }
+  for (const CanvasSource* canvas : {&s, &t})
+    if (Result<void> read = canvas->status(); !read) return read.error();
+  if (a.guide_sha256 != b.guide_sha256) out.notes.push_back("the guides differ");
   return out;
 }
 

@@ -12,7 +12,9 @@ namespace {
 bool within(const PlaneDifference& d, const CompareThresholds& t) {
   if (!t.any()) return d.differing == 0;
   return (!t.max || d.max <= *t.max) && (!t.rms || d.rms <= *t.rms) &&
-         (!t.psnr_db || d.psnr_db >= *t.psnr_db) && (!t.differing || d.differing <= *t.differing);
+         (!t.psnr_db || d.psnr_db >= *t.psnr_db) && (!t.differing || d.differing <= *t.differing) &&
+         (!t.relative_l2 || !d.relative_l2 || *d.relative_l2 <= *t.relative_l2) &&
+         (!t.worst_block || !d.worst_block || *d.worst_block <= *t.worst_block);
 }
 
 nlohmann::json number(double value) {
@@ -24,6 +26,8 @@ nlohmann::json plane_json(const PlaneDifference& d) {
                         {"rms", number(d.rms)},     {"psnr_db", number(d.psnr_db)},
                         {"differing", d.differing}, {"values", d.values}};
   if (d.max_x >= 0) out["max_at"] = {d.max_x, d.max_y};
+  if (d.relative_l2) out["relative_l2"] = number(*d.relative_l2);
+  if (d.worst_block) out["worst_block"] = number(*d.worst_block);
   return out;
 }
 
@@ -38,12 +42,17 @@ void decide(Comparison& comparison, const CompareThresholds& thresholds) {
 }
 
 std::string comparison_text(const Comparison& comparison) {
-  std::string out = fmt::format("{:<24} {:>12} {:>12} {:>10} {:>10}  {}\n", comparison.kind, "max",
-                                "rms", "PSNR dB", "differing", "largest at");
+  const bool fidelity = !comparison.planes.empty() && comparison.planes.front().relative_l2;
+  std::string out = fmt::format(
+      "{:<24} {:>12} {:>12} {:>10} {:>10}  {}{}\n", comparison.kind, "max", "rms", "PSNR dB",
+      "differing", fidelity ? fmt::format("{:>11} {:>11}  ", "relative L2", "worst") : "",
+      "largest at");
   for (const PlaneDifference& d : comparison.planes) {
     const std::string where = d.max_x < 0 ? "" : fmt::format("{},{}", d.max_x, d.max_y);
-    out += fmt::format("{:<24} {:>12.6g} {:>12.6g} {:>10.2f} {:>9.4f}%  {}\n", d.name, d.max, d.rms,
-                       d.psnr_db, 100 * d.differing, where);
+    const std::string near =
+        d.relative_l2 ? fmt::format("{:>11.3g} {:>11.3g}  ", *d.relative_l2, *d.worst_block) : "";
+    out += fmt::format("{:<24} {:>12.6g} {:>12.6g} {:>10.2f} {:>9.4f}%  {}{}\n", d.name, d.max,
+                       d.rms, d.psnr_db, 100 * d.differing, near, where);
   }
   if (comparison.flip_mean)
     out +=
@@ -58,6 +67,7 @@ std::string comparison_json(const Comparison& comparison) {
                         {"kind", comparison.kind},
                         {"equal", comparison.equal},
                         {"comparable", comparison.comparable},
+                        {"reduced", comparison.reduced},
                         {"planes", nlohmann::json::array()},
                         {"notes", comparison.notes}};
   for (const PlaneDifference& d : comparison.planes) out["planes"].push_back(plane_json(d));

@@ -20,21 +20,29 @@ struct PlaneDifference {
   std::int64_t values = 0;
   int max_x = -1;  // where the largest difference is; -1 = nowhere
   int max_y = -1;
+  // Of a canvas against a finer one that was reduced, see fidelity():
+  std::optional<double> relative_l2 = std::nullopt;
+  std::optional<double> worst_block = std::nullopt;
 };
 
 /// What is allowed. Nothing set: not a single value may differ.
 struct CompareThresholds {
-  std::optional<double> max = std::nullopt;        // of each plane
-  std::optional<double> rms = std::nullopt;        // of each plane
-  std::optional<double> psnr_db = std::nullopt;    // at least this, of each plane
-  std::optional<double> differing = std::nullopt;  // share of each plane
-  std::optional<double> flip = std::nullopt;       // mean FLIP of pictures
-  bool any() const { return max || rms || psnr_db || differing || flip; }
+  std::optional<double> max = std::nullopt;          // of each plane
+  std::optional<double> rms = std::nullopt;          // of each plane
+  std::optional<double> psnr_db = std::nullopt;      // at least this, of each plane
+  std::optional<double> differing = std::nullopt;    // share of each plane
+  std::optional<double> flip = std::nullopt;         // mean FLIP of pictures
+  std::optional<double> relative_l2 = std::nullopt;  // of each plane that was reduced
+  std::optional<double> worst_block = std::nullopt;  // likewise
+  bool any() const {
+    return max || rms || psnr_db || differing || flip || relative_l2 || worst_block;
+  }
 };
 
 struct Comparison {
   std::string a, b;                     // the files
   std::string kind;                     // "picture" or "state"
+  int reduced = 1;                      // the finer one was, by this factor
   std::vector<PlaneDifference> planes;  // what both have
   std::vector<std::string> notes;   // what cannot be compared: sizes, missing planes, parameters
   bool comparable = true;           // false: a note alone makes them differ

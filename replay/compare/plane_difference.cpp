@@ -1,5 +1,6 @@
 #include "replay/compare/plane_difference.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -53,6 +54,23 @@ PlaneDifference plane_difference(const std::string& name, FieldView<const float>
 PlaneDifference plane_difference(const std::string& name, FieldView<const std::uint32_t> a,
                                  FieldView<const std::uint32_t> b, double peak) {
   return difference(name, a, b, peak);
+}
+
+PlaneDifference fidelity(const std::string& name, FieldView<const float> a,
+                         FieldView<const float> b) {
+  const double peak = largest_value(a);
+  PlaneDifference d = plane_difference(name, a, b, peak);
+  double squares = 0, worst = 0;
+  for (int y = 0; y < a.height(); ++y)
+    for (int x = 0; x < a.width(); ++x) {
+      const double value = static_cast<double>(a(x, y));
+      squares += value * value;
+      const double v = distance(a(x, y), b(x, y));
+      if (v > 0) worst = std::max(worst, v / std::max(std::abs(value), 1e-3 * peak));
+    }
+  d.relative_l2 = d.rms == 0 ? 0 : d.rms * std::sqrt(static_cast<double>(d.values) / squares);
+  d.worst_block = worst;
+  return d;
 }
 
 double largest_value(FieldView<const float> plane) {

@@ -72,6 +72,38 @@ TEST(CommandRender, TheSizeIsGivenInOneWay) {
   EXPECT_EQ(place.run("render a.jsonl -o b.png --width 10 --height 10").code, 2);
 }
 
+TEST(CommandRender, ALargerPictureIsTheSamePainting) {
+  const Workplace place;
+  const Ran small = place.run("render a.jsonl -o a.h5 -o a.png --json");
+  const Ran large = place.run("render a.jsonl -o b.h5 -o b.png --scale 2.9 --json");
+  ASSERT_EQ(large.code, 0) << large.err;
+  EXPECT_EQ(json_member(large.out, "detail"), "3");
+  EXPECT_EQ(json_member(large.out, "guide_sha256"), json_member(small.out, "state_sha256"));
+  EXPECT_NE(json_member(large.out, "state_sha256"), json_member(small.out, "state_sha256"));
+  EXPECT_NE(place.run("info b.h5").out.find("240 x 180"), std::string::npos);
+  // The lock holds depth and amounts to a few roundings of float, per pigment over its layers.
+  const Ran same = place.run("compare a.h5 b.h5 --json");
+  EXPECT_EQ(json_member(same.out, "reduced"), "3");
+  EXPECT_NE(same.out.find("\"relative_l2\""), std::string::npos);
+  // From its dump the poster is shaded again, bit for bit.
+  ASSERT_EQ(place.run("relight b.h5 -o c.png --scale 2.9").code, 0);
+  EXPECT_EQ(place.run("compare b.png c.png").code, 0);
+  EXPECT_EQ(place.run("render a.jsonl -o c.png --scale 2 --detail 40").code, 2);
+}
+
+TEST(CommandRender, DirectIsMarkedAsAnotherPainting) {
+  const Workplace place;
+  const Ran direct = place.run("render a.jsonl -o a.png -o a.h5 --scale 2 --refine direct --json");
+  ASSERT_EQ(direct.code, 0) << direct.err;
+  EXPECT_NE(json_member(direct.out, "painting").find("160 x 120"), std::string::npos);
+  EXPECT_NE(place.run("info a.png").out.find("another than the log's"), std::string::npos);
+  EXPECT_NE(place.run("info a.h5").out.find("another than the log's"), std::string::npos);
+  const Ran plain = place.run("render a.jsonl -o b.png --refine direct --json");
+  EXPECT_EQ(plain.out.find("\"painting\""), std::string::npos);  // on the log's own grid
+  EXPECT_EQ(place.run("render a.jsonl -o b.png --refine direct --detail 2").code, 2);
+  EXPECT_EQ(place.run("render a.jsonl -o b.png --refine guided --sim-scale 2").code, 2);
+}
+
 TEST(CommandRender, APrintCarriesItsDpi) {
   const Workplace place;
   ASSERT_EQ(place.run("render a.jsonl -o a.png --print 4x3cm --dpi 100 --sim-scale 0.3").code, 0);
@@ -160,7 +192,8 @@ TEST(CommandRender, DryRunTellsAndWritesNothing) {
   const Workplace place;
   const Ran ran = place.run("render a.jsonl -o a.png --width 800 --dry-run --json");
   ASSERT_EQ(ran.code, 0) << ran.err;
-  EXPECT_EQ(json_member(ran.out, "grid_width"), "800");
+  EXPECT_EQ(json_member(ran.out, "grid_width"), "80");
+  EXPECT_EQ(json_member(ran.out, "detail"), "10");
   EXPECT_EQ(json_member(ran.out, "steps"), "55");
   EXPECT_FALSE(place.has("a.png"));
 }

@@ -80,6 +80,26 @@ TEST(ExrWriter, ExrheaderFindsWhatWeSaid) {
   EXPECT_EQ(described->dpi, 300);
 }
 
+TEST(ExrWriter, PostersAreTiled) {
+  const Scratch scratch;
+  const auto planes = test::made_up_planes(kLongestScanlineSide + 100, 300, 3);  // 33 x 2 tiles
+  ExrOptions options;
+  options.full_float = true;
+  const auto first = write_exr(scratch.path("a.exr"), planes, options, 70);
+  options.threads = 3;
+  const auto second = write_exr(scratch.path("b.exr"), planes, options, 300);
+  ASSERT_TRUE(first && second);
+  EXPECT_EQ(first->sha256, second->sha256);
+  EXPECT_NE(test::run("exrheader " + scratch.path("a.exr")).second.find("tile size 256 by 256"),
+            std::string::npos);
+  const auto image = read_image(scratch.path("a.exr"));
+  ASSERT_TRUE(image) << image.error().message;
+  for (std::size_t c = 0; c < planes.size(); ++c)
+    for (int y = 0; y < 300; ++y)
+      for (int x = 0; x < image->width; ++x)
+        ASSERT_EQ((*image->find(kNames[c]))(x, y), planes[c](x, y));
+}
+
 TEST(ExrWriter, BytesDependNeitherOnThreadsNorOnStrips) {
   const Scratch scratch;
   const auto planes = test::made_up_planes(120, 200, 3);

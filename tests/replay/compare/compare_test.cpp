@@ -105,6 +105,90 @@ TEST(Compare, OneCodeInOnePixelIsADifferenceUnlessAllowed) {
   EXPECT_FALSE(compare(scratch.path("a.png"), scratch.path("b.png"), loose)->equal);
 }
 
+/// Two layers of one channel: 3 x 2 cells, or each of them k x k cells of the same mean.
+CanvasState blocks(int k) {
+  CanvasState s = make_canvas_state({3 * k, 2 * k, 0.3, 0.2}, 2, 1, 3, 0.9f);
+  for (int y = 0; y < 2 * k; ++y)
+    for (int x = 0; x < 3 * k; ++x) {
+      const float cell = static_cast<float>(x / k + 3 * (y / k));
+      const float ripple = k == 1 ? 0.0f : (x % 2 == 0 ? 0.25f : -0.25f);
+      s.depth_m(x, y) = cell + (cell > 0 ? ripple : 0.0f);
+      s.channel(0, 0)(x, y) = 2 * cell;
+      s.channel(1, 0)(x, y) = 8;
+    }
+  return s;
+}
+
+TEST(CompareReduced, FindsTheSamePaintingOnAFinerCanvas) {
+  const CanvasState coarse = blocks(1), fine = blocks(4);
+  EXPECT_EQ(whole_ratio(coarse.geometry, fine.geometry), 4);
+  EXPECT_EQ(whole_ratio(fine.geometry, coarse.geometry), 0);
+  EXPECT_EQ(whole_ratio({10, 10}, {20, 30}), 0);
+  ChannelBasis basis;
+  basis.name = {"red"};
+  basis.amount = Eigen::VectorXf::Constant(1, 0.5f);
+  Comparison same;
+  const Threads threads(2);
+  compare_reduced(StateSource(coarse), StateSource(fine), basis, threads, same);
+  std::vector<std::string> names;
+  for (const PlaneDifference& d : same.planes) {
+    names.push_back(d.name);
+    EXPECT_EQ(d.max, 0) << d.name;  // quarters and small wholes: exact
+    EXPECT_EQ(d.relative_l2, 0) << d.name;
+  }
+  EXPECT_EQ(names,
+            (std::vector<std::string>{"/fluid/depth", "dried paint", "/layers/pigment[0,0]",
+                                      "/layers/pigment[1,0]", "pigment red", "pigment, total"}));
+}
+
+TEST(CompareReduced, MeasuresWhatDiffers) {
+  const CanvasState coarse = blocks(1);
+  CanvasState fine = blocks(2);
+  fine.channel(0, 0)(5, 3) += 4;  // block (2, 1), which holds 10, is 1 too much
+  ChannelBasis basis;
+  basis.name = {"red"};
+  basis.amount = Eigen::VectorXf::Constant(1, 0.5f);
+  Comparison c;
+  compare_reduced(StateSource(coarse), StateSource(fine), basis, Threads(1), c);
+  const PlaneDifference& layer = c.planes[2];
+  EXPECT_EQ(layer.max, 1);
+  EXPECT_EQ(layer.max_x * 10 + layer.max_y, 21);
+  EXPECT_DOUBLE_EQ(*layer.worst_block, 0.1);
+  // 0 2 4 6 8 10: squares sum to 220.
+  EXPECT_DOUBLE_EQ(*layer.relative_l2, 1 / std::sqrt(220.0));
+  EXPECT_DOUBLE_EQ(*c.planes[4].worst_block, 1.0 / 18);  // both layers
+  CompareThresholds allowed;
+  allowed.relative_l2 = 0.1;
+  decide(c, allowed);
+  EXPECT_TRUE(c.equal);
+  allowed.worst_block = 0.09;
+  decide(c, allowed);
+  EXPECT_FALSE(c.equal);
+}
+
+TEST(ComparePictures, TheLargerIsReducedInLinearLight) {
+  const Scratch scratch;
+  std::vector<Field<float>> small, large;
+  for (int c = 0; c < 3; ++c) {
+    small.emplace_back(8, 6, 0.5f);
+    large.emplace_back(16, 12);
+    for (int y = 0; y < 12; ++y)
+      for (int x = 0; x < 16; ++x) large.back()(x, y) = (x + y) % 2 == 0 ? 1.0f : 0.0f;
+  }
+  write_png(scratch.path("a.png"), small);
+  write_png(scratch.path("b.png"), large);
+  CompareThresholds allowed;
+  allowed.max = 0.51 / 255;  // black and white are exact, their mean is half a code from a code
+  for (const bool turned : {false, true}) {
+    const auto c = turned ? compare(scratch.path("b.png"), scratch.path("a.png"), allowed)
+                          : compare(scratch.path("a.png"), scratch.path("b.png"), allowed);
+    ASSERT_TRUE(c) << c.error().message;
+    EXPECT_EQ(c->reduced, 2);
+    EXPECT_TRUE(c->equal) << c->planes[0].max;
+    EXPECT_TRUE(c->flip_mean);
+  }
+}
+
 TEST(Compare, EachThresholdDecides) {
   Comparison c;
   PlaneDifference d;
