@@ -17,12 +17,13 @@ struct JobEstimate {
   int detail = 1;
   std::int64_t steps = 0;
   JobNeeds needs;
-  double time_s = 0;  // at most, were paint wet everywhere all the time
+  PaintSurvey survey;
+  double time_s = 0;  // on this machine, were it idle
   std::string log_sha256;
 };
 
-/// Reads the log and times a few steps of a small wet canvas. Errors: as render() before its first
-/// step.
+/// Reads the log, lays out its strokes, and times a few steps of a small wet canvas. Errors: as
+/// render() before its first step.
 Result<JobEstimate> dry_run(const RenderJob& job, const Control& control);
 
 std::string estimate_json(const JobEstimate& estimate);

@@ -11,9 +11,12 @@
 namespace pentimento {
 
 namespace {
-constexpr std::int64_t kProgramme = 120'000'000;  // code, Mesa, HDF5
+constexpr std::int64_t kMB = 1'000'000;
+constexpr std::int64_t kProgramme = 75 * kMB;     // code, libraries
 constexpr std::int64_t kSchemePlanes = 24;        // scratch of a scheme and the brush's contact
-constexpr std::int64_t kPicturePlaneCopies = 3;   // of a strip: shaded, read back, encoding
+constexpr std::int64_t kShader = 60 * kMB;        // Mesa and what it compiles
+constexpr std::int64_t kDumpCache = 64 * kMB;     // chunks being compressed
+constexpr std::int64_t kLeastDetail = 128 * kMB;  // of a scratch file held: tiles at work
 
 std::int64_t state_bytes(const LogSession& session) {
   const std::int64_t cells = std::int64_t{session.grid.width} * session.grid.height;
@@ -25,52 +28,103 @@ std::int64_t machine_memory() {
   return static_cast<std::int64_t>(sysconf(_SC_PHYS_PAGES)) * sysconf(_SC_PAGE_SIZE);
 }
 
-std::int64_t picture_bytes(OutputKind kind, const PictureChoice& choice, const OutputSize& size,
-                           const ChannelBasis& basis) {
-  const std::int64_t pixels = std::int64_t{size.width} * size.height;
-  if (kind == OutputKind::kPng) return pixels * 3 * (choice.bit_depth / 8);
+std::int64_t picture_planes(OutputKind kind, const PictureChoice& choice,
+                            const ChannelBasis& basis) {
+  if (kind == OutputKind::kPng) return 3;
   const auto extra = aov_channels(choice.aovs, basis);
-  const std::int64_t channels = 3 + (extra ? static_cast<std::int64_t>(extra->size()) : 0);
-  return pixels * channels * (choice.full_float ? 4 : 2);
+  return 3 + (extra ? static_cast<std::int64_t>(extra->size()) : 0);
 }
-}  // namespace
 
-JobNeeds job_needs(const RenderJob& job, const LogSession& session) {
-  JobNeeds needs;
+std::int64_t sample_bytes(OutputKind kind, const PictureChoice& choice) {
+  if (kind == OutputKind::kPng) return choice.bit_depth / 8;
+  return choice.full_float ? 4 : 2;
+}
+
+/// Shading in tiles: a tile's part of the canvas as it is packed and as textures, its targets, and
+/// the strips on their way into files.
+std::int64_t shading_bytes(const LogSession& session, const PictureChoice& choice,
+                           const OutputSize& size, std::int64_t planes) {
+  const std::int64_t across = std::min<std::int64_t>(choice.tile, size.width);
+  const std::int64_t down = std::min<std::int64_t>(choice.tile, size.height);
+  const std::int64_t cells = std::int64_t{session.grid.width} * session.detail;
+  const double cells_a_pixel = std::min(2.0, static_cast<double>(cells) / session.size.width);
+  const std::int64_t texels = 2 + session.model.layers * ((session.basis.channels() + 3) / 4);
+  const auto window =
+      static_cast<std::int64_t>(static_cast<double>(across * down) * cells_a_pixel * cells_a_pixel);
+  const std::int64_t strip = std::int64_t{size.width} * down * planes;
+  return kShader + window * 16 * (texels + 1) + across * down * 16 * 2 + strip * (4 + 3);
+}
+
+struct Writing {
+  std::int64_t memory = 0, disk = 0;
+};
+
+/// What writing one set of outputs takes.
+Writing writing_needs(const RenderJob& job, const LogSession& session,
+                      const std::vector<PlannedOutput>& outputs) {
+  Writing needs;
   const std::int64_t state = state_bytes(session);
-  const std::int64_t cells = std::int64_t{session.grid.width} * session.grid.height;
-  std::int64_t writing = 0;
-  const std::int64_t points =
-      std::max<std::int64_t>(1, static_cast<std::int64_t>(job.stops.size()));
-  const auto plan = plan_outputs(job.picture.outputs, job.stops);
-  if (!plan) return needs;
+  const std::int64_t square = std::int64_t{session.detail} * session.detail;
   const Result<OutputSize> written = written_size(job.picture, session.size);
   const OutputSize size = written ? *written : session.size;
-  for (const PlannedOutput& output : plan->front()) {
+  for (const PlannedOutput& output : outputs) {
     if (output.kind == OutputKind::kState) {
-      needs.disk_bytes += points * state;
-      writing = std::max(writing, 2 * state);  // a copy and the file's image
-    } else {
-      const std::int64_t bytes = picture_bytes(output.kind, job.picture, size, session.basis);
-      needs.disk_bytes += points * bytes;
-      const std::int64_t strip = std::int64_t{size.width} * std::min(size.height, job.picture.tile);
-      writing = std::max(writing, state + strip * 12 * kPicturePlaneCopies);
+      // At detail 1 the file is built in memory.
+      needs.disk += session.detail > 1 ? state * (square + 1) : state;
+      needs.memory = std::max(needs.memory, session.detail > 1 ? state + kDumpCache : 2 * state);
+      continue;
     }
+    const std::int64_t planes = picture_planes(output.kind, job.picture, session.basis);
+    needs.disk +=
+        std::int64_t{size.width} * size.height * planes * sample_bytes(output.kind, job.picture);
+    needs.memory = std::max(needs.memory, shading_bytes(session, job.picture, size, planes));
   }
-  const std::int64_t simulating = kProgramme + state + cells * kSchemePlanes * 4;
-  needs.memory_bytes = simulating + writing;
   return needs;
 }
 
-Result<void> check_memory(const RenderJob& job, const LogSession& session) {
+/// What the job may do about it.
+std::string remedies(const RenderJob& job, const LogSession& session, std::int64_t limit,
+                     std::int64_t least) {
+  std::string text;
+  if (session.detail > 1 && job.scratch.empty() && least <= limit) text += ", --scratch DIR";
+  if (session.detail > 1) text += fmt::format(", --detail {}", session.detail / 2);
+  if (session.refine == Refine::kDirect) text += ", --refine guided";
+  return text;
+}
+}  // namespace
+
+JobNeeds job_needs(const RenderJob& job, const LogSession& session, const PaintSurvey& survey) {
+  JobNeeds needs;
+  const auto plan = plan_outputs(job.picture.outputs, job.stops);
+  if (!plan) return needs;
+  const Writing writing = writing_needs(job, session, plan->front());
+  const std::int64_t cells = std::int64_t{session.grid.width} * session.grid.height;
+  const auto points = static_cast<std::int64_t>(std::max<std::size_t>(1, job.stops.size()));
+  const std::int64_t guide = kProgramme + state_bytes(session) + cells * kSchemePlanes * 4;
+  const std::int64_t detail =
+      session.detail > 1 ? static_cast<std::int64_t>(survey.detail_bytes) : 0;
+  const std::int64_t held = job.scratch.empty() ? detail : std::min(detail, kLeastDetail);
+  needs.disk_bytes = points * writing.disk;
+  needs.scratch_bytes = job.scratch.empty() ? 0 : detail;
+  needs.memory_bytes = guide + held + writing.memory;
+  return needs;
+}
+
+Result<void> check_memory(const RenderJob& job, const LogSession& session,
+                          const PaintSurvey& survey) {
   const std::int64_t limit = job.max_memory.value_or(machine_memory());
-  const std::int64_t needed = job_needs(job, session).memory_bytes;
+  const std::int64_t needed = job_needs(job, session, survey).memory_bytes;
   if (needed <= limit) return {};
+  RenderJob with_scratch = job;
+  with_scratch.scratch = "any";
+  const std::int64_t least = job_needs(with_scratch, session, survey).memory_bytes;
+  const std::int64_t k = session.detail;
   return Error{
       ErrorCode::kLimit,
-      fmt::format("{} x {} cells need about {} MB of memory, more than the limit of {} MB "
-                  "(--memory-limit)",
-                  session.grid.width, session.grid.height, needed / 1'000'000, limit / 1'000'000)};
+      fmt::format("{} x {} cells need about {} MB of memory, the limit is {} MB; it fits "
+                  "with --memory-limit {}M{}",
+                  k * session.grid.width, k * session.grid.height, needed / kMB, limit / kMB,
+                  needed / (1 << 20) + 1, remedies(job, session, limit, least))};
 }
 
 }  // namespace pentimento

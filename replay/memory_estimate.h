@@ -6,19 +6,23 @@
 
 #include "core/result.h"
 #include "replay/log_session.h"
+#include "replay/paint_survey.h"
 #include "replay/render_job.h"
 
 namespace pentimento {
 
 struct JobNeeds {
-  std::int64_t memory_bytes = 0;  // at the peak
-  std::int64_t disk_bytes = 0;    // of all outputs; pictures as if they did not compress
+  std::int64_t memory_bytes = 0;   // at the peak
+  std::int64_t disk_bytes = 0;     // of all outputs; pictures as if they did not compress
+  std::int64_t scratch_bytes = 0;  // of the finer canvas in --scratch
 };
 
-/// From the sizes alone; above what is really used by a fifth or so.
-JobNeeds job_needs(const RenderJob& job, const LogSession& session);
+/// `survey` is of the session.
+JobNeeds job_needs(const RenderJob& job, const LogSession& session, const PaintSurvey& survey);
 
-/// kLimit if the memory is over the job's limit, or over what the machine has.
-Result<void> check_memory(const RenderJob& job, const LogSession& session);
+/// kLimit if the memory is over the job's limit, or over what the machine has: one line with what
+/// it would need and the options that would make it fit.
+Result<void> check_memory(const RenderJob& job, const LogSession& session,
+                          const PaintSurvey& survey);
 
 }  // namespace pentimento

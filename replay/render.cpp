@@ -241,7 +241,9 @@ Result<JobReport> render(const RenderJob& job, const Control& control) {
   }
   Result<LogSession> session = open_session(job, control);
   if (!session) return session.error();
-  if (Result<void> fits = check_memory(job, *session); !fits) return fits.error();
+  Result<PaintSurvey> survey = survey_paint(*session, DetailCost());
+  if (!survey) return survey.error();
+  if (Result<void> fits = check_memory(job, *session, *survey); !fits) return fits.error();
   Replay replay(job, *session, control, watch);
   return replay.run();
 }

@@ -72,6 +72,10 @@ TEST(CommandErrors, NoClobberKeepsWhatIsThere) {
 TEST(CommandErrors, OverALimitIsFour) {
   const Workplace place;
   expect_failure(place, "render a.jsonl -o a.png --memory-limit 1M", 4, 1);
+  const Ran poster = place.run("render a.jsonl -o a.png --scale 32 --memory-limit 150M");
+  EXPECT_EQ(poster.code, 4);
+  for (const char* word : {"2560 x 1920", "--memory-limit", "--detail 16"})
+    EXPECT_NE(poster.err.find(word), std::string::npos) << poster.err;
   expect_failure(place, "render a.jsonl -o a.png --max-events 5", 4, 1);
   expect_failure(place, "render a.jsonl -o a.png --max-steps 10", 4, 1);
   expect_failure(place, "render a.jsonl -o a.png --scale 30000", 4, 1);

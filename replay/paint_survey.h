@@ -1,0 +1,26 @@
+#pragma once
+// Where paint will be and where it will move, from the log alone: its strokes are laid out as
+// stamps but nothing is simulated. What estimates of memory and time are made of.
+
+#include <cstdint>
+
+#include "core/result.h"
+#include "replay/detail_cost.h"
+#include "replay/log_session.h"
+
+namespace pentimento {
+
+struct PaintSurvey {
+  std::int64_t stamps = 0;
+  double stamped_cells = 0;     // cells of the guide under stamps, each time counted
+  double awake_cell_steps = 0;  // cells of the guide in tiles where paint was laid lately, per step
+  std::int64_t tiles = 0;       // of the finer canvas that ever have paint
+  std::int64_t all_tiles = 0;
+  double detail_bytes = 0;  // of the finer canvas, when it holds most
+};
+
+/// Plays the session's log from its first event up to its last stop and rewinds it. Errors: the
+/// reader's.
+Result<PaintSurvey> survey_paint(LogSession& session, const DetailCost& cost);
+
+}  // namespace pentimento

@@ -1,0 +1,80 @@
+#include "replay/paint_survey.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "tests/formats/scratch.h"
+
+namespace pentimento {
+namespace {
+
+/// A log of `events` on 400 x 300 cells, 1 mm each, of a blue and a red.
+Result<LogSession> session_of(const test::Scratch& scratch, const std::string& events, int detail) {
+  test::spill(scratch.path("a.jsonl"),
+              R"({"type":"header","format":"pentimento-log","version":1,"canvas":{"width":0.4,)"
+              R"("height":0.3},"grid":{"width":400,"height":300},"palette":[{"name":"blue",)"
+              R"("color":"#1f2f8c"},{"name":"red","color":"#8c2f1f"}]})"
+              "\n" +
+                  events);
+  RenderJob job;
+  job.log = scratch.path("a.jsonl");
+  job.detail = detail;
+  return open_session(job, Control());
+}
+
+/// A stroke of the round brush, 3 cm wide, across the canvas at height y.
+std::string stroke(double t, double y) {
+  return fmt::format(R"({{"t":{},"type":"touch","phase":"down","x":0.05,"y":{}}})"
+                     "\n"
+                     R"({{"t":{},"type":"touch","phase":"up","x":0.35,"y":{}}})"
+                     "\n",
+                     t, y, t + 0.5, y);
+}
+std::string line(const std::string& event) {
+  return event + "\n";
+}
+std::string red() {
+  return line(R"({"t":1,"type":"color","pigment":"red"})");
+}
+
+PaintSurvey survey(const std::string& events, int detail = 8) {
+  const test::Scratch scratch;
+  auto session = session_of(scratch, events, detail);
+  EXPECT_TRUE(session) << session.error().message;
+  auto found = survey_paint(*session, DetailCost());
+  EXPECT_TRUE(found) << found.error().message;
+  return *found;
+}
+
+TEST(PaintSurvey, CountsTheTilesUnderAStroke) {
+  // Tiles of 16 cells: 25 x 19. The stroke covers x 35 to 365 mm, y 135 to 165 mm.
+  const PaintSurvey found = survey(stroke(0, 0.15));
+  EXPECT_EQ(found.all_tiles, 25 * 19);
+  EXPECT_EQ(found.tiles, 21 * 3);
+  EXPECT_GT(found.stamps, 300);  // 30 cm at a fortieth of 3 cm
+  EXPECT_GT(found.stamped_cells, static_cast<double>(found.stamps) * 300);
+}
+
+TEST(PaintSurvey, APigmentMoreTakesItsPlanesAndDryingGivesThemBack) {
+  const double cells = 21 * 3 * 128 * 128, bare = 25 * 19 * 16;
+  const DetailCost cost;
+  const double one = survey(stroke(0, 0.15)).detail_bytes;
+  EXPECT_DOUBLE_EQ(one, cells * (cost.wet_cell + 2 * cost.pigment_cell) + bare);
+  EXPECT_DOUBLE_EQ(survey(stroke(0, 0.15) + red() + stroke(1, 0.15)).detail_bytes,
+                   cells * (cost.wet_cell + 4 * cost.pigment_cell) + bare);
+  // Dry in between: the second stroke lies on reflectance instead of on the first.
+  const std::string dry = line(R"({"t":0.9,"type":"dry"})");
+  EXPECT_DOUBLE_EQ(survey(stroke(0, 0.15) + dry + red() + stroke(1, 0.15)).detail_bytes,
+                   cells * (cost.wet_cell + 2 * cost.pigment_cell + cost.dried_cell) + bare);
+}
+
+TEST(PaintSurvey, TiltedPaintStaysAwake) {
+  const std::string end = line(R"({"t":9,"type":"mark","name":"end"})");
+  const std::string tilt = line(R"({"t":1,"type":"gravity","x":3,"y":0,"z":9})");
+  const double flat = survey(stroke(0, 0.15) + end).awake_cell_steps;
+  // 8 s of 45 steps in place of 9 after each tile's last touch.
+  EXPECT_GT(survey(stroke(0, 0.15) + tilt + end).awake_cell_steps, 10 * flat);
+}
+
+}  // namespace
+}  // namespace pentimento
