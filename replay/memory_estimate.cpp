@@ -93,26 +93,46 @@ std::string remedies(const RenderJob& job, const LogSession& session, std::int64
 }
 }  // namespace
 
+namespace {
+std::int64_t limit_of(const RenderJob& job) {
+  return job.max_memory.value_or(machine_memory());
+}
+
+std::int64_t guide_bytes(const LogSession& session) {
+  const std::int64_t cells = std::int64_t{session.grid.width} * session.grid.height;
+  return kProgramme + state_bytes(session) + cells * kSchemePlanes * 4;
+}
+
+std::int64_t budget_beside(std::int64_t others, const RenderJob& job) {
+  return std::max(kLeastDetail, limit_of(job) - others);
+}
+}  // namespace
+
 JobNeeds job_needs(const RenderJob& job, const LogSession& session, const PaintSurvey& survey) {
   JobNeeds needs;
   const auto plan = plan_outputs(job.picture.outputs, job.stops);
   if (!plan) return needs;
   const Writing writing = writing_needs(job, session, plan->front());
-  const std::int64_t cells = std::int64_t{session.grid.width} * session.grid.height;
   const auto points = static_cast<std::int64_t>(std::max<std::size_t>(1, job.stops.size()));
-  const std::int64_t guide = kProgramme + state_bytes(session) + cells * kSchemePlanes * 4;
+  const std::int64_t others = guide_bytes(session) + writing.memory;
   const std::int64_t detail =
       session.detail > 1 ? static_cast<std::int64_t>(survey.detail_bytes) : 0;
-  const std::int64_t held = job.scratch.empty() ? detail : std::min(detail, kLeastDetail);
   needs.disk_bytes = points * writing.disk;
   needs.scratch_bytes = job.scratch.empty() ? 0 : detail;
-  needs.memory_bytes = guide + held + writing.memory;
+  needs.memory_bytes =
+      others + (job.scratch.empty() ? detail : std::min(detail, budget_beside(others, job)));
   return needs;
+}
+
+std::int64_t resident_budget(const RenderJob& job, const LogSession& session) {
+  const auto plan = plan_outputs(job.picture.outputs, job.stops);
+  const std::int64_t writing = plan ? writing_needs(job, session, plan->front()).memory : 0;
+  return budget_beside(guide_bytes(session) + writing, job);
 }
 
 Result<void> check_memory(const RenderJob& job, const LogSession& session,
                           const PaintSurvey& survey) {
-  const std::int64_t limit = job.max_memory.value_or(machine_memory());
+  const std::int64_t limit = limit_of(job);
   const std::int64_t needed = job_needs(job, session, survey).memory_bytes;
   if (needed <= limit) return {};
   RenderJob with_scratch = job;

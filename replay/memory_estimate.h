@@ -20,6 +20,9 @@ struct JobNeeds {
 /// `survey` is of the session.
 JobNeeds job_needs(const RenderJob& job, const LogSession& session, const PaintSurvey& survey);
 
+/// What --scratch leaves of the finer canvas in memory: what the limit has room for.
+std::int64_t resident_budget(const RenderJob& job, const LogSession& session);
+
 /// kLimit if the memory is over the job's limit, or over what the machine has: one line with what
 /// it would need and the options that would make it fit.
 Result<void> check_memory(const RenderJob& job, const LogSession& session,

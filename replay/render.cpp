@@ -118,8 +118,11 @@ Result<void> Replay::begin() {
   simulation_ = std::move(*simulation);
   first_step_ = simulation_->state().step;
   if (session_.detail > 1) {
-    Result<std::unique_ptr<FineCanvas>> fine = FineCanvas::follow(
-        *simulation_, session_.detail, session_.reader->header().paper, session_.files, threads_);
+    FineStorage storage{job_.scratch, 0};
+    if (!job_.scratch.empty()) storage.resident_bytes = resident_budget(job_, session_);
+    Result<std::unique_ptr<FineCanvas>> fine =
+        FineCanvas::follow(*simulation_, session_.detail, session_.reader->header().paper,
+                           session_.files, threads_, storage);
     if (!fine) return fine.error();
     fine_ = std::move(*fine);
   }
@@ -158,7 +161,10 @@ Result<void> Replay::play_to_stop(std::size_t stop) {
   Result<void> played =
       stops.empty() ? player_->play_all(session_.plan.steps) : player_->play_to(stops[stop]);
   if (!played) return played;
-  return player_->settle(job_.settle_s ? session_.steps : player_->steps());
+  if (Result<void> settled = player_->settle(job_.settle_s ? session_.steps : player_->steps());
+      !settled)
+    return settled;
+  return fine_ ? fine_->problem() : Result<void>();
 }
 
 double Replay::time_s() const {
