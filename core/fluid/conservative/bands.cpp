@@ -12,9 +12,14 @@ RunIndex::RunIndex(std::vector<Run> runs, int height) : runs_(std::move(runs)) {
 
 void for_bands(const Threads& threads, const RunIndex& index, int stages,
                const std::function<void(int, const Run&)>& pass) {
-  const int height = index.height();
   const int parts = threads.count() == 1 ? 1 : 4 * threads.count();
-  const int rows = std::max(2 * stages + 2, (height + parts - 1) / parts);
+  for_bands_of((index.height() + parts - 1) / parts, threads, index, stages, pass);
+}
+
+void for_bands_of(int wanted, const Threads& threads, const RunIndex& index, int stages,
+                  const std::function<void(int, const Run&)>& pass) {
+  const int height = index.height();
+  const int rows = std::max(2 * stages + 2, wanted);
   const int bands = (height + rows - 1) / rows;
   threads.for_ranges(0, bands, 1, [&](int begin, int end) {
     for (int k = begin; k < end; ++k) {

@@ -39,7 +39,11 @@ class RunIndex {
 ///   a row behind the one before, so that what they share is a few rows. The bands shrink by a row
 ///   a stage, then the gaps between them are filled, which grow (Wonnacott, Int. J. Parallel
 ///   Program. 30 (2002) 181-221).
+/// The result does not depend on how many rows a band has.
 void for_bands(const Threads& threads, const RunIndex& index, int stages,
                const std::function<void(int stage, const Run& run)>& pass);
+/// The same in bands of `rows` rows, or of the fewest that do.
+void for_bands_of(int rows, const Threads& threads, const RunIndex& index, int stages,
+                  const std::function<void(int stage, const Run& run)>& pass);
 
 }  // namespace pentimento::conservative

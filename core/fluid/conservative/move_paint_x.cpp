@@ -39,11 +39,13 @@ class PaintRow {
  private:
   void resize(const Run& r) {
     r_ = r;
-    if (r.size() == n_) return;
     n_ = r.size();
-    for (Field<float>* f : {&flow_, &push_, &edge_, &tau_lo_, &tau_hi_, &stay_, &value_, &out_lo_,
-                            &out_hi_, &occupied_, &share_, &held_})
-      *f = Field<float>(n_ + 2 * kSide, 1);
+    if (n_ + 2 * kSide > flow_.width())
+      for (Field<float>* f : {&flow_, &push_, &edge_, &tau_lo_, &tau_hi_, &stay_, &value_, &out_lo_,
+                              &out_hi_, &occupied_, &share_, &held_})
+        *f = Field<float>(n_ + 2 * kSide, 1);
+    cells(edge_)[0] = cells(edge_)[n_] = 0;
+    cells(out_hi_)[-1] = cells(out_lo_)[n_] = 0;  // nothing comes through the walls
   }
   static float* cells(Field<float>& f) { return f.row(0) + kSide; }
   float* row_of(Field<float>& plane) const { return plane.row(r_.y) + r_.x0; }

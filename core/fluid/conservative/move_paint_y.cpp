@@ -136,7 +136,7 @@ class PaintStream {
     const int n = b.width();
     if (n != n_) {
       n_ = n;
-      zeros_ = Field<float>(n, 1);
+      if (n > zeros_.width()) zeros_ = Field<float>(n, 1);
       for (RowRing* ring : {&occupied_, &share_}) ring->resize(n);
       depth_edges_.resize(n);
       depth_.resize(n);

@@ -23,8 +23,10 @@ float slope_at(const RemapOptions& options, const ThreeRows& value, int i) {
 
 void EdgeStream::resize(int n) {
   n_ = n;
-  tau_ = Field<float>(n, 2);
-  ones_ = Field<float>(n, 1, 1.0f);
+  if (n > ones_.width()) {
+    tau_ = Field<float>(n, 2);
+    ones_ = Field<float>(n, 1, 1.0f);
+  }
   stay_.resize(n);
 }
 
@@ -45,7 +47,7 @@ void QuantityStream::resize(int n) {
   n_ = n;
   out_lo_.resize(n);
   out_hi_.resize(n);
-  zeros_ = Field<float>(n, 1);
+  if (n > zeros_.width()) zeros_ = Field<float>(n, 1);
 }
 
 void QuantityStream::begin() {

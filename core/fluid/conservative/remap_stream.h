@@ -16,7 +16,10 @@ namespace pentimento::conservative {
 /// Rows r of a window of three: row r + 3 takes the place of row r.
 class RowRing {
  public:
-  void resize(int n) { rows_ = Field<float>(n, 3); }
+  /// Keeps its memory when it gets no wider.
+  void resize(int n) {
+    if (n > rows_.width()) rows_ = Field<float>(n, 3);
+  }
   float* row(int r) { return rows_.row((r + 3) % 3); }
   const float* row(int r) const { return rows_.row((r + 3) % 3); }
 
