@@ -72,6 +72,7 @@ void compare_reduced(const CanvasSource& coarse, const CanvasSource& fine,
     for (int layer = 0; layer < coarse.layers(); ++layer) {
       const Pair::Planes planes = pair.read(pigment_plane(layer, c));
       tell(fmt::format("/layers/pigment[{},{}]", layer, c), planes, out);
+      out.planes.back().locked = false;
       add(planes, 1.0f, sum);
     }
     tell("pigment " + basis.name[static_cast<std::size_t>(c)], sum, out);

@@ -9,7 +9,8 @@ namespace pentimento {
 
 namespace {
 
-bool within(const PlaneDifference& d, const CompareThresholds& t) {
+bool within(PlaneDifference d, const CompareThresholds& t) {
+  if (!d.locked) d.relative_l2 = d.worst_block = std::nullopt;
   if (!t.any()) return d.differing == 0;
   return (!t.max || d.max <= *t.max) && (!t.rms || d.rms <= *t.rms) &&
          (!t.psnr_db || d.psnr_db >= *t.psnr_db) && (!t.differing || d.differing <= *t.differing) &&

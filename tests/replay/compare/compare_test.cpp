@@ -163,6 +163,9 @@ TEST(CompareReduced, MeasuresWhatDiffers) {
   EXPECT_TRUE(c.equal);
   allowed.worst_block = 0.09;
   decide(c, allowed);
+  EXPECT_TRUE(c.equal);  // one layer's tenth is not judged, only their sum's
+  allowed.worst_block = 0.05;
+  decide(c, allowed);
   EXPECT_FALSE(c.equal);
 }
 
