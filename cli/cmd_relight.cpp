@@ -42,6 +42,14 @@ int run_relight(const Arguments& arguments) {
   CLI::App app(kAbout, "pentimento relight");
   app.add_option("state", o.job.state, "a state dump (.h5)")->required();
   o.picture.add_to(app);
+  app.add_option("--palette", o.job.palette,
+                 "other paints: a file with a `palette`, or NAME=PAINT,... (library or #rrggbb)")
+      ->type_name("FILE|NAME=PAINT,...");
+  app.add_option("--illuminant", o.job.illuminant,
+                 "on spectral paint: A, D50, D65, E, F2, F11, ...")
+      ->type_name("NAME");
+  app.add_option("--observer", o.job.observer, "of spectral paint: 1931 or 1964")
+      ->type_name("NAME");
   o.talk.add_to(app);
   if (const std::optional<int> code = parse(app, arguments)) return *code;
   o.job.command = command_line("relight", arguments);

@@ -3,6 +3,8 @@
 // open. Plain numbers in SI; no behaviour. A log's header sets them under the names of the fields
 // without their unit suffix (docs/action-log.md has unit, range, default and reason of each).
 
+#include "core/optics/viewing.h"
+
 namespace pentimento {
 
 enum class SchemeKind { kPaper, kConservative };
@@ -48,6 +50,15 @@ struct Model {
   OpticalThickness optical_thickness = OpticalThickness::kAmount;
   float pigment_reference = 0.015f;  // amount of optical thickness 1 (A29)
   float depth_reference_m = 0.001f;  // depth of optical thickness 1, for `depth`
+  OpticsKind optics = OpticsKind::kRgb;
+  int bands = kDefaultBands;  // of spectral optics; RGB has three
+  Illuminant illuminant = Illuminant::kD65;
+  Observer observer = Observer::kCie1931;
+  float saunderson_k1 = 0;  // what the interface of paint and air reflects from outside...
+  float saunderson_k2 = 0;  // ...and from inside
+
+  int reflectance_bands() const { return optics == OpticsKind::kRgb ? 3 : bands; }
+  Viewing viewing() const { return {illuminant, observer}; }
 
   /// Pigment per volume (1/m) below which paint flows freely, and above which it stands (Table 1).
   float alpha_per_m() const { return gamma * max_pigment / max_medium_m; }

@@ -29,7 +29,7 @@ struct SimulationSetup {
   ChannelBasis basis;
   float dt_s = 1.0f / 45;
   Field<float> paper_m;  // relief of the paper on the grid, >= 0
-  std::array<float, 3> paper_reflectance = {0.9f, 0.9f, 0.9f};
+  std::vector<float> paper_reflectance = {0.9f, 0.9f, 0.9f};  // per band of the basis
 };
 
 class Simulation {

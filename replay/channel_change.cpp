@@ -5,12 +5,11 @@
 
 namespace pentimento {
 
-namespace {
-/// Whether channel i of `basis` is the amount of one pigment, for every i.
-bool per_pigment(const ChannelBasis& basis) {
+bool channel_per_pigment(const ChannelBasis& basis) {
   return basis.load.rows() == basis.load.cols() && basis.load.isIdentity(0);
 }
 
+namespace {
 bool same_paint(const Pigment& a, const Pigment& b) {
   return a.K.size() == b.K.size() && a.K == b.K && a.S == b.S;
 }
@@ -18,9 +17,9 @@ bool same_paint(const Pigment& a, const Pigment& b) {
 /// Row c: what channel c of `basis` has per unit of each channel of `old`.
 Eigen::MatrixXf conversion(const ChannelBasis& old, const ChannelBasis& basis) {
   Eigen::MatrixXf to = Eigen::MatrixXf::Zero(basis.channels(), old.channels());
-  if (per_pigment(basis)) {
+  if (channel_per_pigment(basis)) {
     to.topLeftCorner(old.channels(), old.channels()).setIdentity();
-  } else if (per_pigment(old)) {
+  } else if (channel_per_pigment(old)) {
     to = basis.load.leftCols(old.channels());
   } else {
     to.setIdentity();
@@ -59,7 +58,10 @@ Result<std::vector<Pigment>> join_palettes(const std::vector<Pigment>& first,
 }
 
 ChannelBasis channels_after(const ChannelBasis& old, const std::vector<Pigment>& palette) {
-  return per_pigment(old) ? make_channels(palette) : optical_channels(palette);
+  if (channel_per_pigment(old)) return make_channels(palette, old.wavelength_nm);
+  ChannelBasis basis = optical_channels(palette);
+  basis.wavelength_nm = old.wavelength_nm;
+  return basis;
 }
 
 CanvasState change_channels(CanvasState state, const ChannelBasis& old, const ChannelBasis& basis) {
@@ -73,7 +75,7 @@ CanvasState change_channels(CanvasState state, const ChannelBasis& old, const Ch
   state.pigment = std::move(pigment);
   state.channels = basis.channels();
   // Amounts in other units may not rest where the old ones did.
-  if (per_pigment(old) && !per_pigment(basis)) state.sleep.clear();
+  if (channel_per_pigment(old) && !channel_per_pigment(basis)) state.sleep.clear();
   return state;
 }
 

@@ -10,6 +10,9 @@
 
 namespace pentimento {
 
+/// Whether channel i of `basis` is the amount of pigment i, for every i.
+bool channel_per_pigment(const ChannelBasis& basis);
+
 /// `first` and what `second` has under other names. Errors: kBadInput where one name means two
 /// paints.
 Result<std::vector<Pigment>> join_palettes(const std::vector<Pigment>& first,

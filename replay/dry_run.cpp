@@ -24,7 +24,8 @@ std::unique_ptr<Simulation> small_canvas(const LogSession& session, const Thread
   setup.paper_m = Field<float>(setup.geometry.width, setup.geometry.height);
   auto simulation = std::make_unique<Simulation>(std::move(setup), threads);
   CanvasState state = make_canvas_state({256, 192, session.grid.width_m, session.grid.height_m},
-                                        session.model.layers, session.basis.channels(), 3, 0.9f);
+                                        session.model.layers, session.basis.channels(),
+                                        session.basis.bands(), 0.9f);
   state.depth_m.fill(0.2f * session.model.max_medium_m);
   simulation->restore(std::move(state));
   simulation->set_gravity({1, 1, 9});

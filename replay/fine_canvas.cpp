@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "core/optics/paint_maker.h"
+
 namespace pentimento {
 
 namespace {
@@ -27,7 +29,13 @@ Result<std::unique_ptr<FineCanvas>> FineCanvas::follow(Simulation& simulation, i
   const CanvasGeometry fine = layout.fine();
   Result<std::unique_ptr<PaperRows>> rows = paper_rows(paper, fine, files);
   if (!rows) return rows.error();
-  auto ground = std::make_unique<FineGround>(std::move(*rows), paper, fine);
+  const log::Rgb& rgb = paper.reflectance;
+  auto ground = std::make_unique<FineGround>(
+      std::move(*rows),
+      PaintMaker(simulation.model())
+          .ground(
+              {static_cast<float>(rgb[0]), static_cast<float>(rgb[1]), static_cast<float>(rgb[2])}),
+      fine);
   const auto side = static_cast<std::size_t>(layout.side());
   Result<std::unique_ptr<TileStore>> store =
       TileStore::open({side * side, storage.scratch, storage.resident_bytes});

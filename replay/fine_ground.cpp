@@ -5,11 +5,9 @@
 
 namespace pentimento {
 
-FineGround::FineGround(std::unique_ptr<PaperRows> paper, const log::PaperSpec& spec,
+FineGround::FineGround(std::unique_ptr<PaperRows> paper, std::vector<float> reflectance,
                        const CanvasGeometry& fine)
-    : paper_(std::move(paper)), fine_(fine) {
-  for (const double r : spec.reflectance) reflectance_.push_back(static_cast<float>(r));
-}
+    : paper_(std::move(paper)), reflectance_(std::move(reflectance)), fine_(fine) {}
 
 void FineGround::relief_row(int x, int y, std::span<float> out) const {
   paper_->row(x, y, out);

@@ -18,7 +18,8 @@ namespace pentimento {
 
 class FineGround : public DetailGround {
  public:
-  FineGround(std::unique_ptr<PaperRows> paper, const log::PaperSpec& spec,
+  /// `reflectance` of the bare paper, per band.
+  FineGround(std::unique_ptr<PaperRows> paper, std::vector<float> reflectance,
              const CanvasGeometry& fine);
 
   void relief_row(int x, int y, std::span<float> out) const override;

@@ -1,6 +1,5 @@
 #include "replay/hand.h"
 
-#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -74,33 +73,18 @@ void Hand::slide(const log::Slider& slider) {
   }
 }
 
-/// The finer canvas takes the picture at its own size.
-void Hand::load_fine(std::array<Field<float>, 3> rgb) {
-  std::vector<Field<float>> bands;
-  for (Field<float>& plane : rgb) {
-    for (int y = 0; y < plane.height(); ++y) {
-      for (float& r : plane.view().row_span(y)) r = std::clamp(r, 0.0f, 1.0f);
-    }
-    bands.push_back(std::move(plane));
-  }
-  input_.fine_ground->load(std::move(bands));
-}
-
 Result<void> Hand::load(const log::Load& load) {
   Result<std::string> path = input_.files.use(load.file);
   if (!path) return path.error();
   Result<std::array<Field<float>, 3>> rgb = read_rgb(*path);
   if (!rgb) return rgb.error();
   const CanvasGeometry& grid = simulation_.state().geometry;
-  std::vector<Field<float>> reflectance;
-  for (const Field<float>& plane : *rgb) {
-    reflectance.push_back(resample_to(plane.view(), grid.width, grid.height));
-    for (int y = 0; y < grid.height; ++y) {
-      for (float& r : reflectance.back().view().row_span(y)) r = std::clamp(r, 0.0f, 1.0f);
-    }
-  }
-  if (input_.fine_ground != nullptr) load_fine(std::move(*rgb));
-  simulation_.load(reflectance);
+  std::array<Field<float>, 3> on_grid;
+  for (std::size_t c = 0; c < 3; ++c)
+    on_grid[c] = resample_to((*rgb)[c].view(), grid.width, grid.height);
+  // The finer canvas takes the picture at its own size.
+  if (input_.fine_ground != nullptr) input_.fine_ground->load(input_.maker.ground(*rgb));
+  simulation_.load(input_.maker.ground(on_grid));
   return {};
 }
 

@@ -23,6 +23,7 @@ struct HandInput {
   LogFiles& files;
   std::optional<Vec3f> fixed_gravity;  // in place of the log's, core's frame
   FineGround* fine_ground = nullptr;   // of the finer canvas, if there is one
+  PaintMaker maker = {};               // of the simulation's optics
 };
 
 class Hand {
@@ -38,7 +39,6 @@ class Hand {
   void dip(const log::Color& color);
   void slide(const log::Slider& slider);
   Result<void> load(const log::Load& load);
-  void load_fine(std::array<Field<float>, 3> rgb);
 
   Simulation& simulation_;
   const HandInput input_;

@@ -41,8 +41,8 @@ Result<void> note_event(const log::Event& event, LogFiles& files, LogPlan& plan)
 }  // namespace
 
 Result<LogPlan> plan_log(log::Reader& reader, LogFiles& files,
-                         const std::vector<StopPoint>& stops_wanted) {
-  Result<Palette> palette = Palette::make(reader.header().palette);
+                         const std::vector<StopPoint>& stops_wanted, const PaintMaker& maker) {
+  Result<Palette> palette = Palette::make(reader.header().palette, maker);
   if (!palette) return palette.error();
   LogPlan plan;
   plan.palette = std::move(*palette);

@@ -30,9 +30,9 @@ struct LogPlan {
   std::string salvaged;  // what salvage dropped; empty if nothing
 };
 
-/// Reads the log from its first event to its end and rewinds it. Errors: the reader's; those of
-/// the files; kUsage for a stop that is not in the log.
+/// Reads the log from its first event to its end and rewinds it. `maker` makes its paints. Errors:
+/// the reader's; those of the files; kUsage for a stop that is not in the log.
 Result<LogPlan> plan_log(log::Reader& reader, LogFiles& files,
-                         const std::vector<StopPoint>& stops_wanted);
+                         const std::vector<StopPoint>& stops_wanted, const PaintMaker& maker = {});
 
 }  // namespace pentimento

@@ -1,6 +1,7 @@
 #include "replay/log_session.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <utility>
@@ -36,6 +37,21 @@ void wake_if_changed(const log::Header& header, const Model& model, StateDump& d
     dump.state.sleep.clear();
 }
 
+/// A canvas in other bands, or seen through another interface, cannot be gone on with.
+Result<void> check_optics(const std::string& path, const LogSession& session,
+                          const StateDump& dump) {
+  const auto optics = [](const Model& m, const std::vector<double>& wavelength_nm) {
+    const std::string bands = fmt::format("bands at {} nm", fmt::join(wavelength_nm, " "));
+    return fmt::format("{}, saunderson_k1 {}, saunderson_k2 {}",
+                       wavelength_nm.empty() ? "rgb" : bands, m.saunderson_k1, m.saunderson_k2);
+  };
+  const std::string wanted = optics(session.model, session.maker.wavelength_nm());
+  const std::string found = optics(dump.model, dump.basis.wavelength_nm);
+  if (wanted == found) return {};
+  return Error{ErrorCode::kBadInput,
+               fmt::format("{}: its optics are {}, the log's {}", path, found, wanted)};
+}
+
 /// The log's planes and palette continue those of the dump.
 Result<void> start_from(const std::string& path, LogSession& session) {
   Result<StateDump> dump = read_state(path);
@@ -47,10 +63,11 @@ Result<void> start_from(const std::string& path, LogSession& session) {
         fmt::format("{}: its canvas is {} x {} m, the log's {} x {} m", path, canvas.width_m,
                     canvas.height_m, session.canvas.width_m, session.canvas.height_m)};
   }
+  if (Result<void> same = check_optics(path, session, *dump); !same) return same;
   Result<std::vector<Pigment>> joined =
       join_palettes(dump->palette, session.plan.palette.pigments());
   if (!joined) return Error{joined.error().code, path + ": " + joined.error().message};
-  session.palette = Palette::of(std::move(*joined));
+  session.palette = Palette::of(std::move(*joined), session.maker);
   session.first_color = session.palette.find(session.plan.palette.pigments().front().name);
   session.basis = channels_after(dump->basis, session.palette.pigments());
   dump->state = change_channels(std::move(dump->state), dump->basis, session.basis);
@@ -121,11 +138,12 @@ Result<LogSession> open_session(const RenderJob& job, const Control& control) {
   if (!brushes) return brushes.error();
   session.brushes = std::move(*brushes);
   control.report({"read", 0, 0});
-  Result<LogPlan> plan = plan_log(*session.reader, session.files, job.stops);
+  session.maker = PaintMaker(session.model);
+  Result<LogPlan> plan = plan_log(*session.reader, session.files, job.stops, session.maker);
   if (!plan) return plan.error();
   session.plan = std::move(*plan);
   session.palette = session.plan.palette;
-  session.basis = make_channels(session.palette.pigments());
+  session.basis = make_channels(session.palette.pigments(), session.maker.wavelength_nm());
   if (!job.from.empty()) {
     if (Result<void> started = start_from(job.from, session); !started) return started.error();
   }
@@ -149,9 +167,9 @@ Result<std::unique_ptr<Simulation>> make_simulation(LogSession& session, const T
   setup.model = session.model;
   setup.basis = session.basis;
   setup.dt_s = StepClock(header.steps_per_second).dt_s();
-  for (std::size_t c = 0; c < 3; ++c) {
-    setup.paper_reflectance[c] = static_cast<float>(header.paper.reflectance[c]);
-  }
+  const log::Rgb& paper = header.paper.reflectance;
+  setup.paper_reflectance = session.maker.ground(
+      {static_cast<float>(paper[0]), static_cast<float>(paper[1]), static_cast<float>(paper[2])});
   if (session.start) {
     setup.paper_m = session.start->state.paper_m.clone();
   } else {

@@ -22,6 +22,7 @@ struct LogSession {
   LogPlan plan;
   BrushTable brushes;
   Model model;          // the header's with the job's changes
+  PaintMaker maker;     // of the model's optics
   Palette palette;      // of the dump, if any, and the log
   int first_color = 0;  // index of what the first brush is loaded with
   ChannelBasis basis;

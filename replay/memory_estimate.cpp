@@ -20,7 +20,8 @@ constexpr std::int64_t kLeastDetail = 128 * kMB;  // of a scratch file held: til
 
 std::int64_t state_bytes(const LogSession& session) {
   const std::int64_t cells = std::int64_t{session.grid.width} * session.grid.height;
-  const std::int64_t planes = 9 + std::int64_t{session.model.layers} * session.basis.channels();
+  const std::int64_t planes =
+      6 + session.basis.bands() + std::int64_t{session.model.layers} * session.basis.channels();
   return cells * planes * 4;
 }
 

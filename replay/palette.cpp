@@ -5,15 +5,12 @@
 #include <array>
 #include <utility>
 
-#include "core/optics/kubelka_munk.h"
-#include "core/optics/pigment_library.h"
 #include "core/optics/srgb.h"
-#include "replay/spectral_pigment.h"
 
 namespace pentimento {
 
 namespace {
-constexpr std::string_view kDefaultPigment = "ivory black";
+constexpr std::string_view kDefaultPigment = "Ivory Black";
 
 std::array<float, 3> to_float(const log::Rgb& rgb) {
   return {static_cast<float>(rgb[0]), static_cast<float>(rgb[1]), static_cast<float>(rgb[2])};
@@ -28,49 +25,47 @@ std::string hex_name(const log::Rgb& linear) {
   }
   return name;
 }
-
-Pigment pigment_from_coefficients(const std::string& name, const log::Rgb& K, const log::Rgb& S) {
-  return {name, Eigen::Vector3d(K[0], K[1], K[2]), Eigen::Vector3d(S[0], S[1], S[2])};
-}
 }  // namespace
 
-Result<Pigment> make_pigment(const log::PigmentSpec& spec) {
-  if (spec.K && spec.S) return pigment_from_coefficients(spec.name, *spec.K, *spec.S);
-  if (spec.spectrum) return pigment_from_spectrum(spec.name, *spec.spectrum);
+Result<Pigment> make_pigment(const log::PigmentSpec& spec, const PaintMaker& maker) {
+  if (spec.K && spec.S) return maker.from_rgb(spec.name, *spec.K, *spec.S);
+  if (const auto& s = spec.spectrum)
+    return maker.from_spectrum(spec.name, s->wavelength_nm, s->K, s->S);
   if (spec.over_white && spec.over_black) {
-    return pigment_from_white_black(spec.name, to_float(*spec.over_white),
-                                    to_float(*spec.over_black));
+    return maker.from_white_black(spec.name, to_float(*spec.over_white),
+                                  to_float(*spec.over_black));
   }
   if (spec.color) {
-    return pigment_from_color(spec.name, to_float(*spec.color), static_cast<float>(spec.opacity));
+    return maker.from_color(spec.name, to_float(*spec.color), static_cast<float>(spec.opacity));
   }
-  const Pigment* known = find_library_pigment(spec.name);
-  if (known == nullptr) {
+  std::optional<Pigment> known = maker.from_library(spec.name);
+  if (!known) {
     return Error{ErrorCode::kBadInput,
                  "palette: no pigment of the library is called \"" + spec.name + "\""};
   }
-  Pigment pigment = *known;
-  pigment.name = spec.name;
-  return pigment;
+  return std::move(*known);
 }
 
-Result<Palette> Palette::make(const std::vector<log::PigmentSpec>& header) {
+Result<Palette> Palette::make(const std::vector<log::PigmentSpec>& header,
+                              const PaintMaker& maker) {
   Palette palette;
+  palette.maker_ = maker;
   for (const log::PigmentSpec& spec : header) {
-    Result<Pigment> pigment = make_pigment(spec);
+    Result<Pigment> pigment = make_pigment(spec, maker);
     if (!pigment) return pigment.error();
     palette.append(std::move(*pigment));
   }
   if (palette.pigments_.empty()) {
-    const Pigment* black = find_library_pigment(kDefaultPigment);
-    PENTIMENTO_CHECK(black != nullptr);
-    palette.append(*black);
+    std::optional<Pigment> black = maker.from_library(kDefaultPigment);
+    PENTIMENTO_CHECK(black);
+    palette.append(std::move(*black));
   }
   return palette;
 }
 
-Palette Palette::of(std::vector<Pigment> pigments) {
+Palette Palette::of(std::vector<Pigment> pigments, const PaintMaker& maker) {
   Palette palette;
+  palette.maker_ = maker;
   for (Pigment& pigment : pigments) palette.append(std::move(pigment));
   return palette;
 }
@@ -78,7 +73,7 @@ Palette Palette::of(std::vector<Pigment> pigments) {
 void Palette::pick(const log::Color& color) {
   if (!color.value) return;
   const std::string name = hex_name(*color.value);
-  if (!index_.contains(name)) append(pigment_from_color(name, to_float(*color.value)));
+  if (!index_.contains(name)) append(maker_.from_color(name, to_float(*color.value)));
 }
 
 int Palette::find(const log::Color& color) const {

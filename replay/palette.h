@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/optics/channels.h"
+#include "core/optics/paint_maker.h"
 #include "core/result.h"
 #include "formats/log/events.h"
 
@@ -16,10 +16,11 @@ class Palette {
  public:
   /// Takes the header's pigments. An empty palette gets `ivory black`, so that a log without
   /// colours paints dark. Errors: kBadInput, an unknown library name.
-  static Result<Palette> make(const std::vector<log::PigmentSpec>& header);
+  static Result<Palette> make(const std::vector<log::PigmentSpec>& header,
+                              const PaintMaker& maker = {});
 
   /// These pigments, whose names differ.
-  static Palette of(std::vector<Pigment> pigments);
+  static Palette of(std::vector<Pigment> pigments, const PaintMaker& maker = {});
 
   /// A `color` event: a picked colour that is new joins the palette under its "#rrggbb".
   void pick(const log::Color& color);
@@ -35,11 +36,12 @@ class Palette {
  private:
   void append(Pigment pigment);
 
+  PaintMaker maker_;
   std::vector<Pigment> pigments_;
   std::map<std::string, int> index_;
 };
 
 /// One pigment from what the log says of it. Errors: kBadInput, an unknown library name.
-Result<Pigment> make_pigment(const log::PigmentSpec& spec);
+Result<Pigment> make_pigment(const log::PigmentSpec& spec, const PaintMaker& maker = {});
 
 }  // namespace pentimento

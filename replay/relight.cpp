@@ -5,8 +5,10 @@
 
 #include "formats/hdf5/state_dump.h"
 #include "formats/io/provenance.h"
+#include "formats/log/model_fields.h"
 #include "replay/copies.h"
 #include "replay/effective.h"
+#include "replay/exchange_pigments.h"
 #include "replay/light_override.h"
 #include "replay/output_plan.h"
 #include "replay/output_set.h"
@@ -24,6 +26,25 @@ Result<std::vector<PlannedOutput>> plan_pictures(const PictureChoice& picture) {
     }
   }
   return std::move(plan->front());
+}
+
+/// Other paints, another light's colour, another eye.
+Result<void> look_otherwise(const RelightJob& job, StateDump& dump) {
+  const bool spectral = dump.model.optics == OpticsKind::kSpectral;
+  const std::pair<const char*, const std::optional<std::string>&> names[] = {
+      {"illuminant", job.illuminant}, {"observer", job.observer}};
+  for (const auto& [name, value] : names) {
+    if (!value) continue;
+    if (!spectral)
+      return Error{ErrorCode::kUsage, std::string("--") + name +
+                                          ": the dump's optics are rgb, which know no light's "
+                                          "spectrum; record with \"optics\":\"spectral\""};
+    if (Result<void> set = log::set_model_text(dump.model, name, *value); !set) return set;
+  }
+  if (job.palette.empty()) return {};
+  Result<std::vector<PigmentExchange>> exchanges = parse_exchanges(job.palette);
+  if (!exchanges) return exchanges.error();
+  return exchange_pigments(*exchanges, dump);
 }
 
 Origin origin_of(const StateDump& dump, const RelightJob& job) {
@@ -65,6 +86,7 @@ Result<JobReport> relight(const RelightJob& job, const Control& control) {
   Result<LightOverride> light = LightOverride::make(job.light);
   if (!light) return light.error();
   light->apply(dump->lighting);
+  if (Result<void> seen = look_otherwise(job, *dump); !seen) return seen.error();
   const StateSource guide(dump->state);
   const CanvasSource& canvas = dump->fine ? *dump->fine : guide;
   Result<OutputSize> size = relit_size(job.size, dump->state.geometry, canvas.geometry());

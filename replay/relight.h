@@ -2,6 +2,7 @@
 // `pentimento relight`: a state dump is shaded again in other light, without simulation. In the
 // same light it gives the render's picture bit for bit.
 
+#include <optional>
 #include <string>
 
 #include "core/result.h"
@@ -15,6 +16,8 @@ struct RelightJob {
   std::string state;
   SizeRequest size;
   LightChoice light;
+  std::string palette;                              // --palette; empty: the dump's own
+  std::optional<std::string> illuminant, observer;  // in place of the dump's
   PictureChoice picture;
   int threads = 0;
   std::string command;  // without its -o

@@ -132,8 +132,9 @@ Result<void> Replay::begin() {
   std::optional<Vec3f> gravity;
   if (job_.gravity) gravity = core_gravity(log_gravity(*job_.gravity));
   hand_ = std::make_unique<Hand>(
-      *simulation_, HandInput{session_.brushes, session_.palette, session_.first_color,
-                              session_.files, gravity, fine_ ? &fine_->ground() : nullptr});
+      *simulation_,
+      HandInput{session_.brushes, session_.palette, session_.first_color, session_.files, gravity,
+                fine_ ? &fine_->ground() : nullptr, session_.maker});
   player_ = std::make_unique<Player>(PlayerInput{*timeline_, *simulation_, *hand_, lighting_,
                                                  session_.files, control_, session_.steps});
   return {};

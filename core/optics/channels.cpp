@@ -1,5 +1,7 @@
 #include "core/optics/channels.h"
 
+#include <utility>
+
 #include "core/check.h"
 
 namespace pentimento {
@@ -47,9 +49,13 @@ ChannelBasis optical_channels(const std::vector<Pigment>& palette) {
   return basis;
 }
 
-ChannelBasis make_channels(const std::vector<Pigment>& palette) {
-  return static_cast<int>(palette.size()) <= kMaxPaletteChannels ? palette_channels(palette)
-                                                                 : optical_channels(palette);
+ChannelBasis make_channels(const std::vector<Pigment>& palette, std::vector<double> wavelength_nm) {
+  PENTIMENTO_CHECK(!palette.empty());
+  const int most = most_palette_channels(static_cast<int>(palette.front().K.size()));
+  const bool each = static_cast<int>(palette.size()) <= most;
+  ChannelBasis basis = each ? palette_channels(palette) : optical_channels(palette);
+  basis.wavelength_nm = std::move(wavelength_nm);
+  return basis;
 }
 
 }  // namespace pentimento

@@ -26,18 +26,24 @@ struct ChannelBasis {
   Eigen::MatrixXd S;              // bands x channels
   Eigen::VectorXf amount;         // per channel: its share in the total amount (m)
   Eigen::MatrixXf load;           // channels x pigments: the channels of amount 1 of each pigment
+  /// Centres of the bands; empty: they are linear red, green and blue.
+  std::vector<double> wavelength_nm;
   int channels() const { return static_cast<int>(name.size()); }
   int bands() const { return static_cast<int>(K.rows()); }
 };
 
-/// The largest palette that gets one channel per pigment.
-inline constexpr int kMaxPaletteChannels = 8;
+/// The largest palette that gets one channel per pigment: 8, or as many as optical channels take.
+constexpr int most_palette_channels(int bands) {
+  return bands > 3 ? 1 + 2 * bands : 8;
+}
 
 /// One channel per pigment.
 ChannelBasis palette_channels(const std::vector<Pigment>& palette);
 /// 1 + 2 bands channels, whatever the palette's size: amount, K per band, S per band.
 ChannelBasis optical_channels(const std::vector<Pigment>& palette);
-/// Palette channels up to kMaxPaletteChannels pigments, optical ones beyond.
-ChannelBasis make_channels(const std::vector<Pigment>& palette);
+/// Palette channels up to most_palette_channels() pigments, optical ones beyond. `wavelength_nm`
+/// goes into the basis.
+ChannelBasis make_channels(const std::vector<Pigment>& palette,
+                           std::vector<double> wavelength_nm = {});
 
 }  // namespace pentimento

@@ -4,6 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "core/optics/plain_name.h"
+#include "core/optics/spectral/measured_paints.h"
+
 namespace pentimento {
 namespace {
 
@@ -54,20 +57,6 @@ constexpr std::array<std::string_view, kCount> kNames = [] {
   return names;
 }();
 
-/// Lower case, single words apart by spaces, no apostrophes.
-std::string plain(std::string_view name) {
-  std::string out;
-  for (const char c : name) {
-    if (c == '\'') continue;
-    if (c == '-' || c == '_') {
-      out += ' ';
-    } else {
-      out += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    }
-  }
-  return out;
-}
-
 std::vector<Pigment> make_pigments() {
   std::vector<Pigment> pigments;
   for (const Entry& e : kLibrary) {
@@ -81,15 +70,28 @@ std::vector<Pigment> make_pigments() {
 
 const Pigment* find_library_pigment(std::string_view name) {
   static const std::vector<Pigment> pigments = make_pigments();
-  const std::string wanted = plain(name);
+  const std::string wanted = plain_name(name);
   for (const Pigment& p : pigments) {
-    if (plain(p.name) == wanted) return &p;
+    if (plain_name(p.name) == wanted) return &p;
   }
   return nullptr;
 }
 
-std::span<const std::string_view> library_pigment_names() {
+bool in_pigment_library(std::string_view name) {
+  return find_library_pigment(name) != nullptr || find_measured_paint(name) != nullptr;
+}
+
+std::span<const std::string_view> rgb_pigment_names() {
   return kNames;
+}
+
+std::span<const std::string_view> library_pigment_names() {
+  static const std::vector<std::string_view> names = [] {
+    std::vector<std::string_view> all(kNames.begin(), kNames.end());
+    for (const SpectralPaint& paint : measured_paints()) all.push_back(paint.name);
+    return all;
+  }();
+  return names;
 }
 
 }  // namespace pentimento

@@ -23,7 +23,10 @@ class TileTextures {
         ground_(gl, TexelFormat::kRgba, width_, height_),
         relief_(gl, TexelFormat::kRg, width_, height_),
         amounts_(gl, TexelFormat::kRgba, width_, height_,
-                 layout.variant.layers * layout.variant.planes()) {}
+                 layout.variant.layers * layout.variant.planes()) {
+    if (layout.variant.spectral)
+      dry_.emplace(gl, TexelFormat::kRgba, width_, height_, layout.variant.band_texels());
+  }
 
   void upload(const CanvasSource& canvas, const ShadeVariant& variant, const AxisWindow& x,
               const AxisWindow& y) {
@@ -32,6 +35,10 @@ class TileTextures {
     const CellWindow window{x.first_cell, y.first_cell, x.cells, y.cells};
     pack_ground(canvas, window, texels_);
     ground_.upload(window.width, window.height, texels_.data());
+    for (int texel = 0; dry_ && texel < variant.band_texels(); ++texel) {
+      pack_bands(canvas, texel, window, texels_);
+      dry_->upload(window.width, window.height, texels_.data(), texel);
+    }
     pack_relief(canvas, window, texels_);
     relief_.upload(window.width, window.height, texels_.data());
     for (int layer = 0; layer < variant.layers; ++layer) {
@@ -49,12 +56,14 @@ class TileTextures {
     ground_.bind(kGround);
     relief_.bind(kRelief);
     amounts_.bind(kAmounts);
+    if (dry_) dry_->bind(kDry);
   }
 
  private:
   int width_;
   int height_;
   GlTexture columns_, rows_, ground_, relief_, amounts_;
+  std::optional<GlTexture> dry_;  // bands of a spectral canvas
   std::vector<float> texels_;
 };
 
@@ -126,13 +135,17 @@ PictureLayout lay_out(const ShadeScene& scene, const ShadeRequest& request,
   variant.channels = std::max(scene.canvas.channels(), 1);
   variant.samples_per_pixel = samples;
   variant.interpolate = !out.x.on_cells() || !out.y.on_cells();
+  variant.bands = scene.canvas.bands();
+  variant.spectral = !scene.basis.wavelength_nm.empty();
+  variant.interface = scene.model.saunderson_k1 != 0 || scene.model.saunderson_k2 != 0;
   variant.by_depth = scene.model.optical_thickness == OpticalThickness::kDepth;
   variant.reflection_map = !scene.lighting.reflection.rgb[0].empty();
   assign_targets(planes, variant);
-  out.tiles = plan_tiles({out.x, out.y, crop_run(request.crop_x, request.crop_width, request.width),
-                          crop_run(request.crop_y, request.crop_height, request.height),
-                          request.tile, variant.layers * variant.planes(), variant.targets,
-                          static_cast<int>(planes.size())});
+  out.tiles = plan_tiles(
+      {out.x, out.y, crop_run(request.crop_x, request.crop_width, request.width),
+       crop_run(request.crop_y, request.crop_height, request.height), request.tile,
+       variant.layers * variant.planes() + (variant.spectral ? variant.band_texels() : 0),
+       variant.targets, static_cast<int>(planes.size())});
   return out;
 }
 

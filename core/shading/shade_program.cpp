@@ -4,6 +4,7 @@
 
 #include "core/optics/composite.h"
 #include "core/optics/microfacet.h"
+#include "core/optics/spectral/band_weights.h"
 #include "core/shading/shader_source.h"
 
 namespace pentimento {
@@ -19,12 +20,31 @@ std::string define(const char* name, int value) {
   return std::string("#define ") + name + " " + std::to_string(value) + "\n";
 }
 
+/// K and S of every channel, and the RGB of every band, four bands a texel.
+void set_bands(const GlProgram& program, const ShadeParameters& p, const CompositeOptics& optics) {
+  const Eigen::Index n = optics.K.cols(), bands = optics.K.rows(), texels = (bands + 3) / 4;
+  Eigen::MatrixXf K = Eigen::MatrixXf::Zero(4 * texels, n), S = K;
+  K.topRows(bands) = optics.K;
+  S.topRows(bands) = optics.S;
+  program.set_vec4("absorption", K.data(), static_cast<int>(texels * n));
+  program.set_vec4("scattering", S.data(), static_cast<int>(texels * n));
+  Eigen::Matrix3Xf rgb = Eigen::Matrix3Xf::Zero(3, 4 * texels);
+  rgb.leftCols(bands) = band_rgb_weights(p.basis.wavelength_nm, p.model.viewing()).cast<float>();
+  program.set_vec3("band_color", rgb.data(), static_cast<int>(4 * texels));
+}
+
 void set_paint(const GlProgram& program, const ShadeParameters& p) {
   const CompositeOptics optics = make_composite_optics(p.basis, p.model);
   const int n = p.basis.channels();
-  // Eigen's columns are a channel's three bands one after the other, as GLSL wants them.
-  program.set_vec3("absorption", optics.K.data(), n);
-  program.set_vec3("scattering", optics.S.data(), n);
+  if (p.basis.wavelength_nm.empty()) {
+    // Eigen's columns are a channel's three bands one after the other, as GLSL wants them.
+    program.set_vec3("absorption", optics.K.data(), n);
+    program.set_vec3("scattering", optics.S.data(), n);
+  } else {
+    set_bands(program, p, optics);
+  }
+  const std::array<float, 2> interface = {p.model.saunderson_k1, p.model.saunderson_k2};
+  program.set_vec2("saunderson", interface.data());
   program.set_floats("share", optics.amount.data(), n);
   program.set("per_reference", optics.per_reference);
 }
@@ -60,8 +80,9 @@ std::string ShadeVariant::defines() const {
   std::string text = define("LAYERS", layers) + define("CHANNELS", channels) +
                      define("PLANES", planes()) + define("SUPERSAMPLE", samples_per_pixel) +
                      define("INTERPOLATE", interpolate) + define("BY_DEPTH", by_depth) +
-                     define("REFLECTION_MAP", reflection_map) + "#define EMPTY_AMOUNT " +
-                     std::to_string(kEmptyLayerAmount * 1e7f) + "e-7\n";
+                     define("REFLECTION_MAP", reflection_map) + define("SPECTRAL", spectral) +
+                     define("BAND_TEXELS", band_texels()) + define("INTERFACE", interface) +
+                     "#define EMPTY_AMOUNT " + std::to_string(kEmptyLayerAmount * 1e7f) + "e-7\n";
   for (std::size_t i = 1; i < target.size(); ++i) {
     if (target[i] >= 0) text += define(kTargetDefine[i], target[i]);
   }
@@ -91,7 +112,8 @@ Result<GlProgram> link_shade_program(const GlFunctions& gl, const ShadeVariant& 
 void set_shade_uniforms(const GlProgram& program, const ShadeParameters& p) {
   const std::pair<const char*, ShadeUnit> samplers[] = {
       {"columns", kColumns}, {"rows", kRows},       {"ground", kGround},
-      {"relief", kRelief},   {"amounts", kAmounts}, {"reflection_map", kReflectionMap}};
+      {"relief", kRelief},   {"amounts", kAmounts}, {"reflection_map", kReflectionMap},
+      {"dry", kDry}};
   for (const auto& [name, unit] : samplers) program.set(name, static_cast<int>(unit));
   const std::array<float, 2> relief_per_cell = {p.lighting.relief_scale / p.cell_m[0],
                                                 p.lighting.relief_scale / p.cell_m[1]};

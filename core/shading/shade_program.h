@@ -17,6 +17,9 @@ namespace pentimento {
 struct ShadeVariant {
   int layers = 1;
   int channels = 1;
+  int bands = 3;
+  bool spectral = false;   // bands are wavelengths, turned into RGB by a matrix
+  bool interface = false;  // Saunderson's correction
   int samples_per_pixel = 1;
   bool interpolate = false;
   bool by_depth = false;
@@ -27,6 +30,8 @@ struct ShadeVariant {
 
   /// RGBA texels of one layer's channels.
   int planes() const { return (channels + 3) / 4; }
+  /// RGBA texels of the bands.
+  int band_texels() const { return spectral ? (bands + 3) / 4 : 1; }
   bool operator<(const ShadeVariant& other) const { return defines() < other.defines(); }
   std::string defines() const;
 };
@@ -35,7 +40,7 @@ struct ShadeVariant {
 void assign_targets(const std::vector<PlaneSource>& planes, ShadeVariant& variant);
 
 /// Which texture unit each sampler reads.
-enum ShadeUnit { kColumns, kRows, kGround, kRelief, kAmounts, kReflectionMap };
+enum ShadeUnit { kColumns, kRows, kGround, kRelief, kAmounts, kReflectionMap, kDry };
 
 Result<GlProgram> link_shade_program(const GlFunctions& gl, const ShadeVariant& variant);
 

@@ -9,6 +9,7 @@
 #include "core/shading/area_filter.h"
 #include "core/shading/gl/context.h"
 #include "core/shading/gl/functions.h"
+#include "core/shading/gl_limits.h"
 #include "core/shading/picture_job.h"
 #include "core/shading/shade_program.h"
 
@@ -62,14 +63,13 @@ class GlShader : public Shader {
   static Result<void> check(const CanvasSource& canvas, const ChannelBasis& basis,
                             const ShadeRequest& r) {
     PENTIMENTO_CHECK(basis.channels() == canvas.channels());
-    if (canvas.bands() != 3 || basis.bands() != 3) {
-      return Error{ErrorCode::kUsage, "pictures are shaded from three bands, this canvas has " +
-                                          std::to_string(canvas.bands())};
-    }
-    if (canvas.channels() > kMaxPaletteChannels) {
+    const bool spectral = !basis.wavelength_nm.empty();
+    const int bands = spectral ? static_cast<int>(basis.wavelength_nm.size()) : 3;
+    if (canvas.bands() != bands || basis.bands() != bands || bands < 3) {
       return Error{ErrorCode::kUsage,
-                   "pictures are shaded from at most 8 channels, this canvas has " +
-                       std::to_string(canvas.channels())};
+                   "pictures are shaded from " +
+                       std::string(spectral ? "the bands of the palette, " : "three bands, ") +
+                       "this canvas has " + std::to_string(canvas.bands())};
     }
     const bool inside = r.width > 0 && r.height > 0 && r.tile > 0 && r.crop_x >= 0 &&
                         r.crop_y >= 0 && r.crop_width >= 0 && r.crop_height >= 0 &&
@@ -110,6 +110,7 @@ class GlShader : public Shader {
     const PictureLayout layout = lay_out(scene, request, planes);
     auto program = programs_.find(layout.variant);
     if (program == programs_.end()) {
+      if (auto fits = check_gl_limits(gl_, layout.variant); !fits) return fits;
       auto linked = link_shade_program(gl_, layout.variant);
       if (!linked) return linked.error();
       program = programs_.emplace(layout.variant, std::move(*linked)).first;

@@ -41,8 +41,8 @@ class Shader {
   /// Shades `canvas` into `sinks`, strip by strip; strips count rows from the top of the crop. The
   /// first failing sink ends it. The lamp stands where `lighting` says: a lamp that follows gravity
   /// is turned by the caller (optics/lamp.h). From any thread, one at a time.
-  /// Errors: kUsage (crop outside, unknown AOV, not three bands, over 8 channels), kLimit (no
-  /// memory for a tile), a sink's own.
+  /// Errors: kUsage (crop outside, unknown AOV, a canvas of other bands than the basis), kLimit
+  /// (more channels and bands than OpenGL holds, no memory for a tile), a sink's own.
   virtual Result<void> shade(const CanvasSource& canvas, const ChannelBasis& basis,
                              const Model& model, const Lighting& lighting,
                              const ShadeRequest& request,

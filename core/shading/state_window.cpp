@@ -80,6 +80,15 @@ void pack_ground(const CanvasSource& canvas, const CellWindow& window, std::vect
              window, texels);
 }
 
+void pack_bands(const CanvasSource& canvas, int texel, const CellWindow& window,
+                std::vector<float>& texels) {
+  std::array<std::optional<PlaneId>, 4> planes{};
+  for (int b = 0; b < 4 && 4 * texel + b < canvas.bands(); ++b) {
+    planes[static_cast<std::size_t>(b)] = reflectance_plane(4 * texel + b);
+  }
+  interleave(canvas, planes, window, texels);
+}
+
 void pack_relief(const CanvasSource& canvas, const CellWindow& window, std::vector<float>& texels) {
   const WindowRows rows(canvas, window);
   texels.resize(2 * cells(window));

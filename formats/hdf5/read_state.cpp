@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <string_view>
@@ -50,6 +51,7 @@ class StateReader {
   Result<void> read_model(Model& model) const;
   Result<void> read_basis(StateDump& dump) const;
   Result<void> read_palette(StateDump& dump) const;
+  Result<void> read_wavelengths(const std::vector<double>& wavelength_m, StateDump& dump) const;
   Result<void> read_lighting(Lighting& light) const;
   Result<void> read_lamp(Lamp& lamp, hid_t group) const;
   Result<void> read_guide(StateDump& dump, const hdf5::CanvasGroup& from) const;
@@ -142,6 +144,24 @@ Result<void> StateReader::read_basis(StateDump& dump) const {
   return {};
 }
 
+/// None are positive where the bands are red, green and blue.
+Result<void> StateReader::read_wavelengths(const std::vector<double>& wavelength_m,
+                                           StateDump& dump) const {
+  constexpr double kDigits = 1e6;  // of a nm: the way to metres and back rounds
+  const bool spectral = dump.model.optics == OpticsKind::kSpectral;
+  if (!spectral) return {};
+  double before_nm = 0;
+  for (const double m : wavelength_m) {
+    const double nm = std::round(m * 1e9 * kDigits) / kDigits;
+    if (!(nm > before_nm && nm < 1e6))
+      return bad(fmt::format("/palette/wavelength {} m does not rise from band to band", m));
+    dump.basis.wavelength_nm.push_back(before_nm = nm);
+  }
+  if (dump.state.bands == dump.model.bands) return {};
+  return bad(fmt::format("/canvas/reflectance has {} bands, the model {}", dump.state.bands,
+                         dump.model.bands));
+}
+
 Result<void> StateReader::read_palette(StateDump& dump) const {
   const auto names = hdf5::read_strings(file_, "/palette/name", kMostNames);
   if (!names) return missing("/palette/name");
@@ -156,11 +176,7 @@ Result<void> StateReader::read_palette(StateDump& dump) const {
   for (std::size_t i = 0; i < names->size(); ++i)
     dump.palette.push_back({(*names)[i], Eigen::Map<const Eigen::VectorXd>(&(*K)[i * bands], n),
                             Eigen::Map<const Eigen::VectorXd>(&(*S)[i * bands], n)});
-  const bool spectral =
-      std::any_of(wavelength->begin(), wavelength->end(), [](double m) { return m > 0; });
-  if (spectral)
-    for (const double m : *wavelength) dump.wavelength_nm.push_back(m * 1e9);
-  return {};
+  return read_wavelengths(*wavelength, dump);
 }
 
 Result<void> StateReader::read_lamp(Lamp& lamp, hid_t group) const {

@@ -30,8 +30,6 @@ struct StateDump {
   std::string log_sha256;
   std::string state_sha256;  // of `fine` if there is one; reader: as stored, writer: computed
   std::string guide_sha256;  // of `state`; likewise
-  /// Band centres of the palette; empty: the bands are red, green and blue.
-  std::vector<double> wavelength_nm;
   Provenance provenance;  // reader only; the writer takes DumpOptions'
 };
 

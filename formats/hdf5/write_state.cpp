@@ -77,8 +77,8 @@ bool write_palette(hid_t file, const StateDump& dump) {
     S.insert(S.end(), pigment.S.begin(), pigment.S.end());
   }
   std::vector<double> wavelength_m(bands, 0.0);
-  for (std::size_t b = 0; b < dump.wavelength_nm.size() && b < bands; ++b)
-    wavelength_m[b] = dump.wavelength_nm[b] * 1e-9;
+  for (std::size_t b = 0; b < dump.basis.wavelength_nm.size() && b < bands; ++b)
+    wavelength_m[b] = dump.basis.wavelength_nm[b] * 1e-9;
   const std::vector<hsize_t> shape = {names.size(), bands};
   return write_small(file, {"/palette/name", "", "name of each pigment", {}}, names) &&
          write_small(file, {"/palette/K", "1", "absorption at optical thickness 1", shape}, K) &&

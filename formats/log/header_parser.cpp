@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/optics/spectral/measured_paints.h"
 #include "formats/log/fields.h"
 #include "formats/log/model_fields.h"
 #include "formats/log/palette_parser.h"
@@ -15,6 +16,7 @@ namespace pentimento::log {
 namespace {
 
 constexpr std::string_view kEdges[] = {"closed", "open"};
+constexpr std::string_view kOptics[] = {"rgb", "spectral"};
 
 /// Whether this is a log of ours, of a version we know: before anything else, since a newer
 /// version may look different in all the rest.
@@ -73,6 +75,13 @@ void parse_paper(Fields& header_fields, PaperSpec& paper) {
   header_fields.fail_unless_empty(fields.finish());
 }
 
+/// Spectral paint is seen through the interface of the measured paints, unless the model says else.
+void parse_optics(Fields& header_fields, Model& model) {
+  if (header_fields.choice("optics", kOptics).value_or(0) == 0) return;
+  model.optics = OpticsKind::kSpectral;
+  model.saunderson_k2 = static_cast<float>(kMeasuredK2);
+}
+
 void parse_model(Fields& header_fields, Model& model) {
   const JsonNode* node = header_fields.object("model");
   if (node == nullptr) return;
@@ -100,6 +109,7 @@ std::string parse_header(const JsonLine& json, Header& header) {
   parse_paper(fields, header.paper);
   header.palette = parse_palette(fields);
   header.brushes = parse_brushes(fields);
+  parse_optics(fields, header.model);
   parse_model(fields, header.model);
   header.title = fields.text("title").value_or("");
   header.author = fields.text("author").value_or("");

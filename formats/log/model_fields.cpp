@@ -1,8 +1,12 @@
 #include "formats/log/model_fields.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
+
+#include "core/optics/spectral/bands.h"
 
 namespace pentimento::log {
 
@@ -12,6 +16,10 @@ using enum ParameterKind;
 
 constexpr std::array<std::string_view, 2> kSchemes = {"paper", "conservative"};
 constexpr std::array<std::string_view, 2> kOpticalThicknesses = {"amount", "depth"};
+constexpr std::array<std::string_view, 2> kOptics = {"rgb", "spectral"};
+constexpr std::array<std::string_view, 8> kIlluminants = {"A",   "D50", "D55", "D65",
+                                                          "D75", "E",   "F2",  "F11"};
+constexpr std::array<std::string_view, 2> kObservers = {"1931", "1964"};
 
 // Bounds are generous: they keep out what single precision or a finite run cannot hold, not what
 // looks odd. Lower bounds that stand for "positive" are far above the smallest normal float.
@@ -108,6 +116,25 @@ const ModelField kFields[] = {
     {{"depth_reference", "m", kNumber, 1e-9, 10, {}, "depth of optical thickness 1, for `depth`"},
      true,
      &Model::depth_reference_m},
+    {{"optics", "", kChoice, 0, 1, kOptics,
+      "picked colours are RGB; `spectral` mixes as paint does"},
+     false,
+     &Model::optics},
+    {{"bands", "", kWhole, 3, 38, {}, "of `spectral`; the fewest within 0.5 CIEDE2000 of all 38"},
+     false,
+     &Model::bands},
+    {{"illuminant", "", kChoice, 0, 7, kIlluminants, "light on `spectral` paint; sRGB's is D65"},
+     false,
+     &Model::illuminant},
+    {{"observer", "", kChoice, 0, 1, kObservers, "whose colours; sRGB's is the CIE's of 1931"},
+     false,
+     &Model::observer},
+    {{"saunderson_k1", "", kNumber, 0, 0.5, {}, "gloss is the picture's own"},
+     false,
+     &Model::saunderson_k1},
+    {{"saunderson_k2", "", kNumber, 0, 0.95, {}, "no interface; `optics` of the header may set it"},
+     false,
+     &Model::saunderson_k2},
 };
 
 }  // namespace
@@ -152,6 +179,10 @@ std::string model_problem(const Model& model) {
   }
   if (!(model.gamma < model.zeta)) {
     return fmt::format("gamma {} is not below zeta {}", model.gamma, model.zeta);
+  }
+  const std::span<const int> counts = band_counts();
+  if (std::find(counts.begin(), counts.end(), model.bands) == counts.end()) {
+    return fmt::format("bands {} is none of {}", model.bands, fmt::join(counts, ", "));
   }
   return {};
 }

@@ -16,7 +16,8 @@ namespace pentimento::log {
 struct ModelField : Parameter {
   bool while_painting = true;  // a `slider` event may change it
   std::variant<float Model::*, int Model::*, bool Model::*, SchemeKind Model::*,
-               OpticalThickness Model::*>
+               OpticalThickness Model::*, OpticsKind Model::*, Illuminant Model::*,
+               Observer Model::*>
       member;
 };
 

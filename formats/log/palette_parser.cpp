@@ -62,7 +62,7 @@ void check_ways(Fields& fields, const PigmentSpec& pigment, bool has_opacity) {
   }
   if (pigment.K.has_value() != pigment.S.has_value()) fields.missing(pigment.K ? "S" : "K");
   if (has_opacity && !pigment.color) fields.missing("color");
-  if (ways == 0 && fields.ok() && find_library_pigment(pigment.name) == nullptr) {
+  if (ways == 0 && fields.ok() && !in_pigment_library(pigment.name)) {
     fields.reject("name", "is no pigment of the library, and no colour is given" +
                               did_you_mean(pigment.name, library_pigment_names()));
   }

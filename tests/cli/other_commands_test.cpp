@@ -35,6 +35,73 @@ TEST(CommandRelight, OtherLightIsAnotherPicture) {
   EXPECT_EQ(place.run("relight a.h5 -o b.h5").code, 2);
 }
 
+/// kSmallLog in spectral optics.
+std::string spectral_log() {
+  std::string log = kSmallLog;
+  return log.replace(log.find("\"palette\""), 0, "\"optics\":\"spectral\",");
+}
+
+TEST(CommandRelight, OtherPaintsChangeWhatIsWetAndTheSameOnesNothing) {
+  Workplace place;
+  place.write("s.jsonl", spectral_log());
+  for (const std::string name : {"a", "s"}) {
+    ASSERT_EQ(place.run("render " + name + ".jsonl -o a.png -o a.h5").code, 0);
+    ASSERT_EQ(place.run("relight a.h5 -o b.png").code, 0);
+    EXPECT_EQ(place.run("compare a.png b.png").code, 0);
+    // A log is a palette's file: its own paints leave the picture as it is.
+    ASSERT_EQ(place.run("relight a.h5 -o c.png --palette " + name + ".jsonl").code, 0);
+    EXPECT_EQ(place.run("compare a.png c.png").code, 0);
+    ASSERT_EQ(place
+                  .run("relight a.h5 -o d.png --palette 'blue=golden phthalo blue red "
+                       "shade,red=#20a040'")
+                  .code,
+              0);
+    EXPECT_EQ(place.run("compare a.png d.png").code, 1);
+  }
+}
+
+TEST(CommandRelight, PaintsThatCannotBeExchangedAreErrors) {
+  Workplace place;
+  ASSERT_EQ(place.run("render a.jsonl -o a.h5").code, 0);
+  const auto fails = [&](const std::string& palette, int code, const std::string& says) {
+    const Ran ran = place.run("relight a.h5 -o b.png --palette " + palette);
+    EXPECT_EQ(ran.code, code) << palette;
+    EXPECT_NE(ran.err.find(says), std::string::npos) << ran.err;
+    EXPECT_FALSE(place.has("b.png"));
+  };
+  fails("green=#00ff00", 2, "no pigment \"green\", but blue, red, #e0c020");
+  fails("'blue=Cobalt Blu'", 2, "did you mean \"Cobalt Blue\"?");
+  fails("blue=#12", 2, "no colour");
+  fails("blue=#102030,red", 2, "is not NAME=PAINT");
+  fails("nowhere.json", 5, "nowhere.json");
+  place.write("empty.json", "{}");
+  fails("empty.json", 3, "has no palette");
+  place.write("pretty.json", "{\n \"palette\": [\n  {\"name\": \"blue\", \"opacity\": 2}]}");
+  fails("pretty.json", 3, "opacity");
+  std::string many = kSmallLog;
+  for (int i = 10; i < 20; ++i) {
+    many += "{\"t\":2,\"type\":\"color\",\"value\":\"#0000" + std::to_string(i) + "\"}\n";
+  }
+  place.write("a.jsonl", many);
+  ASSERT_EQ(place.run("render a.jsonl -o a.h5").code, 0);
+  fails("blue=#102030", 3, "optical channels");
+}
+
+TEST(CommandRelight, ALightOfAnotherColourFallsOnSpectralPaintOnly) {
+  Workplace place;
+  place.write("s.jsonl", spectral_log());
+  ASSERT_EQ(place.run("render s.jsonl -o s.png -o s.h5 -o a.h5").code, 0);
+  ASSERT_EQ(place.run("relight s.h5 -o t.png --illuminant F11 --observer 1964").code, 0);
+  EXPECT_EQ(place.run("compare s.png t.png").code, 1);
+  EXPECT_EQ(place.run("relight s.h5 -o t.png --illuminant moon").code, 2);
+  ASSERT_EQ(place.run("render a.jsonl -o a.h5").code, 0);
+  EXPECT_EQ(place.run("relight a.h5 -o t.png --illuminant A").code, 2);
+  // A canvas in other bands cannot be gone on with.
+  const Ran ran = place.run("render a.jsonl --from s.h5 -o t.png");
+  EXPECT_EQ(ran.code, 3);
+  EXPECT_NE(ran.err.find("its optics are bands at"), std::string::npos) << ran.err;
+}
+
 TEST(CommandCompare, ThresholdsDecide) {
   const Workplace place;
   ASSERT_EQ(place.run("render a.jsonl -o a.png").code, 0);

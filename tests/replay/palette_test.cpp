@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "core/optics/kubelka_munk.h"
+#include "core/optics/paint_maker.h"
 #include "replay/channel_change.h"
-#include "replay/spectral_pigment.h"
 
 namespace pentimento {
 namespace {
@@ -31,22 +31,6 @@ TEST(Palette, ALibraryPigmentIsFoundByName) {
   EXPECT_DOUBLE_EQ(pigment.S(2), 0.009);
   spec.name = "unobtainium";
   EXPECT_EQ(make_pigment(spec).error().code, ErrorCode::kBadInput);
-}
-
-TEST(SpectralPigment, AFlatSpectrumIsGrey) {
-  const Pigment grey = pigment_from_spectrum("grey", {{400, 700}, {0.4, 0.4}, {0.7, 0.7}});
-  // R = .300530188184084 over black (model.md II.1, K .4, S .7): the inverse gives K and S back.
-  for (int band = 0; band < 3; ++band) {
-    EXPECT_NEAR(grey.K(band), 0.4, 1e-5);  // the colours go through floats
-    EXPECT_NEAR(grey.S(band), 0.7, 1e-5);
-  }
-}
-
-TEST(SpectralPigment, OneThatAbsorbsTheShortWavesIsYellow) {
-  const Pigment yellow =
-      pigment_from_spectrum("yellow", {{380, 490, 510, 750}, {5, 5, 0.02, 0.02}, {1, 1, 1, 1}});
-  EXPECT_GT(yellow.K(2), 10 * yellow.K(1));
-  EXPECT_GT(yellow.K(2), 10 * yellow.K(0));
 }
 
 TEST(ChannelChange, PalettePlanesBecomeOpticalOnesOfTheSamePaint) {

@@ -28,6 +28,7 @@
   X(GenTextures, PFNGLGENTEXTURESPROC)                       \
   X(GenVertexArrays, PFNGLGENVERTEXARRAYSPROC)               \
   X(GetError, PFNGLGETERRORPROC)                             \
+  X(GetIntegerv, PFNGLGETINTEGERVPROC)                       \
   X(GetProgramInfoLog, PFNGLGETPROGRAMINFOLOGPROC)           \
   X(GetProgramiv, PFNGLGETPROGRAMIVPROC)                     \
   X(GetShaderInfoLog, PFNGLGETSHADERINFOLOGPROC)             \
@@ -48,6 +49,7 @@
   X(Uniform1i, PFNGLUNIFORM1IPROC)                           \
   X(Uniform2fv, PFNGLUNIFORM2FVPROC)                         \
   X(Uniform3fv, PFNGLUNIFORM3FVPROC)                         \
+  X(Uniform4fv, PFNGLUNIFORM4FVPROC)                         \
   X(UseProgram, PFNGLUSEPROGRAMPROC)                         \
   X(Viewport, PFNGLVIEWPORTPROC)
 

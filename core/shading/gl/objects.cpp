@@ -145,6 +145,9 @@ void GlProgram::set_vec2(const char* name, const float* xy) const {
 void GlProgram::set_vec3(const char* name, const float* xyz, int count) const {
   gl_->Uniform3fv(location(name), count, xyz);
 }
+void GlProgram::set_vec4(const char* name, const float* xyzw, int count) const {
+  gl_->Uniform4fv(location(name), count, xyzw);
+}
 void GlProgram::set_floats(const char* name, const float* values, int count) const {
   gl_->Uniform1fv(location(name), count, values);
 }

@@ -76,6 +76,7 @@ class GlProgram {
   void set(const char* name, float value) const;
   void set_vec2(const char* name, const float* xy) const;
   void set_vec3(const char* name, const float* xyz, int count = 1) const;
+  void set_vec4(const char* name, const float* xyzw, int count) const;
   void set_floats(const char* name, const float* values, int count) const;
 
  private:

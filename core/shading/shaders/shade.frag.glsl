@@ -46,14 +46,14 @@ void light_up(inout Shaded s, float gloss) {
 
 Shaded shaded_at(ivec2 sample_index) {
   Place place = place_at(sample_index);
-  vec4 dry = read(ground, place);
+  vec4 ground_texel = read(ground, place);
   Relief surface = relief_at(place);
   Paint paint = paint_at(place);
   Shaded s;
-  s.depth = dry.a;
+  s.depth = ground_texel.a;
   s.height = surface.height;
   s.normal = normal_of(surface.slope);
-  s.albedo = composite(paint, s.depth, dry.rgb);
+  s.albedo = albedo_at(place, paint, s.depth, ground_texel.rgb);
   s.wet = covered(s.depth);
   for (int i = 0; i < PLANES; ++i) {
     s.pigment[i] = vec4(0.0);

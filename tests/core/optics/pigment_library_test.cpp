@@ -19,7 +19,7 @@ TEST(PigmentLibrary, FindsNamesHoweverTheyAreWritten) {
 }
 
 TEST(PigmentLibrary, EachListedNameIsFoundOnce) {
-  for (const std::string_view name : library_pigment_names()) {
+  for (const std::string_view name : rgb_pigment_names()) {
     const Pigment* p = find_library_pigment(name);
     ASSERT_NE(p, nullptr) << name;
     EXPECT_EQ(p->name, name);

@@ -4,6 +4,7 @@
 
 #include <cstring>
 
+#include "core/optics/paint_maker.h"
 #include "formats/io/provenance.h"
 #include "tests/formats/hdf5/made_up_dump.h"
 #include "tests/formats/scratch.h"
@@ -67,6 +68,33 @@ INSTANTIATE_TEST_SUITE_P(Shapes, DumpShape,
                          testing::Values(std::tuple{1, 1, 1, 1}, std::tuple{61, 47, 2, 3},
                                          std::tuple{300, 450, 2, 2}, std::tuple{20, 10, 8, 12},
                                          std::tuple{20, 10, 2, 0}));
+
+TEST(StateDump, KeepsTheWavelengthsOfItsBands) {
+  const Scratch scratch;
+  StateDump dump = made_up_dump(20, 10, 2, 3);
+  dump.model.optics = OpticsKind::kSpectral;
+  dump.model.bands = 38;
+  dump.model.saunderson_k2 = 0.65f;
+  const PaintMaker maker(dump.model);
+  dump.palette = {maker.from_color("a", {0.1f, 0.2f, 0.3f}), *maker.from_library("cadmium red"),
+                  *maker.from_library("golden cobalt blue")};
+  dump.basis = make_channels(dump.palette, maker.wavelength_nm());
+  dump.state.bands = 38;
+  while (dump.state.reflectance.size() < 38)
+    dump.state.reflectance.push_back(dump.state.reflectance.front().clone());
+  ASSERT_TRUE(write_state(scratch.path("a.h5"), dump, {}));
+  const auto back = read_state(scratch.path("a.h5"));
+  ASSERT_TRUE(back) << back.error().message;
+  EXPECT_EQ(back->basis.wavelength_nm, maker.wavelength_nm());
+  EXPECT_EQ(back->model.saunderson_k2, 0.65f);
+  EXPECT_EQ(back->palette[2].K, dump.palette[2].K);
+  expect_same_state(back->state, dump.state);
+  dump.model.bands = 13;
+  ASSERT_TRUE(write_state(scratch.path("b.h5"), dump, {}));
+  const auto wrong = read_state(scratch.path("b.h5"));
+  ASSERT_FALSE(wrong);
+  EXPECT_NE(wrong.error().message.find("38 bands, the model 13"), std::string::npos);
+}
 
 TEST_P(DumpShape, ComesBackBitForBit) {
   const Scratch scratch;

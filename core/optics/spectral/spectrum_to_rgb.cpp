@@ -1,4 +1,4 @@
-#include "replay/spectral_pigment.h"
+#include "core/optics/spectral/spectrum_to_rgb.h"
 
 #include <algorithm>
 #include <array>
@@ -27,7 +27,14 @@ std::array<double, 3> rgb_weight(double nm) {
           0.0556434 * x - 0.2040259 * y + 1.0572252 * z};
 }
 
-double at_wavelength(const std::vector<double>& nm, const std::vector<double>& value, double at) {
+/// Through the interface; without one, bit for bit what is inside.
+double seen(double inside, const Saunderson& interface) {
+  return interface.none() ? inside : saunderson_seen(inside, interface.k1, interface.k2);
+}
+
+}  // namespace
+
+double at_wavelength(std::span<const double> nm, std::span<const double> value, double at) {
   const auto above = std::upper_bound(nm.begin(), nm.end(), at);
   if (above == nm.begin()) return value.front();
   if (above == nm.end()) return value.back();
@@ -36,9 +43,8 @@ double at_wavelength(const std::vector<double>& nm, const std::vector<double>& v
   return value[i - 1] + (value[i] - value[i - 1]) * u;
 }
 
-}  // namespace
-
-Pigment pigment_from_spectrum(const std::string& name, const log::PigmentSpec::Spectrum& spectrum) {
+Pigment pigment_from_spectrum(const std::string& name, const MeasuredSpectrum& spectrum,
+                              const Saunderson& interface) {
   constexpr int kFirstNm = 380;
   constexpr int kLastNm = 750;
   std::array<double, 3> white{}, black{}, norm{};
@@ -48,8 +54,8 @@ Pigment pigment_from_spectrum(const std::string& name, const log::PigmentSpec::S
                                 1.0);
     const std::array<double, 3> weight = rgb_weight(nm);
     for (std::size_t b = 0; b < 3; ++b) {
-      white[b] += weight[b] * km_over(film, 1.0);
-      black[b] += weight[b] * film.R;
+      white[b] += weight[b] * seen(km_over(film, 1.0), interface);
+      black[b] += weight[b] * seen(film.R, interface);
       norm[b] += weight[b];
     }
   }
