@@ -43,7 +43,7 @@ struct BrushDefinition {
   bool follows_direction = false;  // the tip turns with the stroke (flat brushes of programs do)
   PressureCurve size;              // in place of size_pressure: times the size
   PressureCurve flow;              // in place of flow_pressure: times the deposit
-  PressureCurve splay;             // how far the hairs are pressed down, 0..1; empty: as the hand
+  PressureCurve splay;             // how far the hairs are pressed down, 0..1
   float stiffness = -1;            // 0..1 in place of the slider's; negative: the slider's
   float grip = 1;                  // how unevenly the hairs hold the paint they meet, 0..1
   float capacity = 200;            // R24: diameters on dry canvas that empty a full brush
@@ -57,7 +57,10 @@ struct BrushDefinition {
   float flow_at(float pressure) const {
     return flow.empty() ? 1 - flow_pressure * (1 - pressure) : flow.at(pressure);
   }
-  float splay_at(float pressure) const { return splay.empty() ? pressure : splay.at(pressure); }
+  /// Soft at first: half the pressure presses three quarters of the hairs down.
+  float splay_at(float pressure) const {
+    return splay.empty() ? 1 - (1 - pressure) * (1 - pressure) : splay.at(pressure);
+  }
   BrushDefinition clone() const;
 };
 

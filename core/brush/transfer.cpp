@@ -14,7 +14,7 @@ constexpr float kDryFrac = 1e-3f;         // of max_medium: thinner is dry canva
 constexpr float kWeaveReach_m = 3e-4f;    // of a linen's relief: levels beside the film's own
 constexpr float kLeastRelief_m = 2e-5f;   // a smooth ground catches a dry brush evenly
 constexpr float kDryFilm = 0.7f;          // fluid below which hairs dry rather than thin out
-constexpr float kSlowing_m_s = 2.5f;      // a stroke of this speed reaches half as deep
+constexpr float kSlowing_per_s = 120;     // at so many diameters a second, half as deep
 constexpr float kBladeThickness = 0.14f;  // of the diameter: how long a blade is over a place
 constexpr float kBladeRide_m = 1.5e-4f;   // half a weave: a blade rides on the bumps
 constexpr float kBladeLift_m = 2e-3f;     // the blade's edge without pressure, above that
@@ -25,7 +25,7 @@ constexpr int kCellsWorthThreads = 3000;  // some 0.2 ms of work; handing out ro
 /// 1 for a slow stroke; a fast one passes over what is below.
 float speed_factor(const Stamp& stamp) {
   const Vec2f v = stamp.velocity_m_s;
-  return 1 + std::sqrt(v.x * v.x + v.y * v.y) / kSlowing_m_s;
+  return 1 + std::sqrt(v.x * v.x + v.y * v.y) / (kSlowing_per_s * stamp.diameter_m);
 }
 
 /// What is left of the film as the brush dries: hairs that still give do not give much less.
@@ -98,7 +98,8 @@ void Transfer::place(const Stamp& stamp, const BrushInHand& hand, const Reservoi
   plan.reservoir = &reservoir;
   plan.stride = reservoir.stride();
   const float pressure = stamp.pressure < 0 ? 1.0f : std::min(stamp.pressure, 1.0f);
-  plan.state = {hand.brush.splay_at(pressure) / speed_factor(stamp), reservoir.density_frac};
+  plan.state = {hand.brush.splay_at(pressure) / std::sqrt(speed_factor(stamp)),
+                reservoir.density_frac};
   plan.mean = hand.tip.mean(plan.state.press);
   plan.stroke_id = hand.stroke_id;
 }
@@ -163,7 +164,7 @@ void Transfer::find_heights(const BrushInHand& hand, StampPlan& plan) const {
     return;
   }
   const float stiffness = hand.brush.stiffness < 0 ? hand.settings.stiffness : hand.brush.stiffness;
-  const float contact = plan.state.density_frac * std::min(1.0f, 0.2f + 1.6f * pressure) *
+  const float contact = plan.state.density_frac * std::min(1.0f, 0.3f + 1.7f * pressure) *
                         (1.25f - 0.5f * stiffness) / speed_factor(plan.stamp);
   // At 0.8 the hairs come 2.8 deviations deep: everywhere. At 0.24 they touch the higher half.
   const float offset = 5 * contact - 1.2f;

@@ -31,7 +31,7 @@ def fruit(p, x, y, radius):
             shade = max(0.0, -0.5 * px - 0.62 * py + 0.6 * pz)
             bounce = 0.16 * max(0.0, py)
             grey(p, 0.08 + 0.92 * shade ** 1.2 + bounce)
-            p.stroke(arc(x, y, max(r, 0.004), a, 1.3 / max(1, 3 * ring) * math.pi, 5), speed=0.2,
+            p.stroke(arc(x, y, max(r, 0.004), a, 1.8 / max(1, 3 * ring) * math.pi, 5), speed=0.2,
                      pressure=0.8, taper=False)
 
 
@@ -39,7 +39,7 @@ def glaze(p, x, y, radius):
     """One transparent film over the whole ball: rings, from the rim inwards, without lifting."""
     points = []
     for k in range(60):
-        r = radius * (0.9 - 0.86 * k / 59)
+        r = radius * (0.96 - 0.92 * k / 59)
         points.append((x + r * math.cos(0.62 * k), y + r * math.sin(0.62 * k)))
     p.stroke(points, speed=0.4, pressure=0.9, taper=False)
 

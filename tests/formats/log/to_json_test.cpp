@@ -19,6 +19,7 @@ const std::vector<std::string> kEvents = {
     R"({"t":0.3,"type":"slider","name":"superbee","value":true})",
     R"({"t":0.3,"type":"slider","name":"optical_thickness","value":"depth"})",
     R"({"t":0.3,"type":"color","pigment":"mud"})",
+    R"({"t":0.3,"type":"color","pigment":"mud","across":[0.25,1]})",
     R"({"t":0.3,"type":"color","value":"#1f2f8c"})",
     R"({"t":0.3,"type":"color","value":[0.1,0.2,1]})",
     R"({"t":0.3,"type":"brush","name":"knife"})",
@@ -48,7 +49,10 @@ const std::string kFullHeader =
     R"({"name":"ks","K":[0.1,0.2,0.3],"S":[1,2,3]},{"name":"ivory black"},)"
     R"({"name":"s","spectrum":{"wavelength":[400,500,600.5],"K":[1,2,3],"S":[0,1,2]}}],)"
     R"("brushes":[{"name":"mop","shape":"round","spacing":0.03,"size_pressure":0.5,)"
-    R"("flow_pressure":0.25,"follows_direction":false},{"name":"t","texture":"tip.png"}],)";
+    R"("flow_pressure":0.25,"follows_direction":false,"stiffness":0.9,"grip":0.5,"capacity":30,)"
+    R"("film":0.75,"absorb":0.125,"bristles":{"count":60,"thickness":0.05,"length_spread":0.5,)"
+    R"("clumping":0.25},"pressure":{"size":[[0,0.5],[1,1]],"flow":[[0.25,2]],"splay":[[0,0]]}},)"
+    R"({"name":"t","texture":"tip.png"}],)";
 
 TEST(ToJson, EventsAreWrittenAsTheyWereRead) {
   std::string text = kFullHeader + R"("title":"t"})";
