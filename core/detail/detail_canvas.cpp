@@ -53,8 +53,7 @@ void DetailCanvas::clear() {
   for (auto& tile : tile_) tile.reset();
 }
 
-void DetailCanvas::cover(int tile, const CanvasState& guide) {
-  const GuideBox box = layout_.box(tile);
+void DetailCanvas::cover(int tile, const CanvasState& guide, const GuideBox& box) {
   for_wet_planes(layers_ * channels_, [&](const WetPlane& q) {
     if (DetailTile* made = find(tile); made != nullptr && q.of(*made)) return;
     if (any_in(q.of(guide), box)) make(q.of(at(tile)));

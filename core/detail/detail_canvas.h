@@ -39,8 +39,9 @@ class DetailCanvas {
   /// Back to bare paper.
   void clear();
 
-  /// The tile has a plane for everything that the guide has in it.
-  void cover(int tile, const CanvasState& guide);
+  /// The tile has a plane for everything that the guide has in it, or in the part `box` of it.
+  void cover(int tile, const CanvasState& guide) { cover(tile, guide, layout_.box(tile)); }
+  void cover(int tile, const CanvasState& guide, const GuideBox& box);
   /// Gives `plane` memory, zero everywhere. False if there is none: problem() says why from then
   /// on, and the canvas shows less than was painted. From any thread.
   bool make(TilePlane& plane);

@@ -96,7 +96,9 @@ void DetailStamp::lift(const StampPlan& plan, const CanvasState& guide) {
 
 void DetailStamp::lay(const StampPlan& plan, const CanvasState& guide) {
   for (Part& part : parts_) {
-    canvas_.cover(part.tile, guide);
+    const int k = canvas_.layout().factor();
+    canvas_.cover(part.tile, guide,
+                  {part.x0 / k, (part.x1 + k - 1) / k, part.y0 / k, (part.y1 + k - 1) / k});
     find_planes(part);
   }
   threads_.for_ranges(0, static_cast<int>(parts_.size()), 1, [&](int begin, int end) {
