@@ -7,6 +7,9 @@
 
 #include "cli/range.h"
 #include "cli/values.h"
+#include "core/optics/tone.h"
+#include "formats/log/ranges.h"
+#include "replay/lighting_track.h"
 
 namespace pentimento::cli {
 
@@ -34,6 +37,51 @@ Result<std::array<int, 4>> parse_crop(const std::string& text) {
     crop[i] = static_cast<int>(value);
   }
   return crop;
+}
+/// `dir:X,Y,Z`, `pos:X,Y,Z`, and after it the intensity, and after that the colour.
+Result<Lamp> parse_lamp(const std::string& text) {
+  const Error bad = {
+      ErrorCode::kUsage,
+      "--lamp " + text + ": expected dir:X,Y,Z or pos:X,Y,Z[,INTENSITY[,RED,GREEN,BLUE]]"};
+  const bool near = text.rfind("pos:", 0) == 0;
+  if (!near && text.rfind("dir:", 0) != 0) return bad;
+  const auto values = static_cast<std::size_t>(std::count(text.begin(), text.end(), ',')) + 1;
+  if (values != 3 && values != 4 && values != 7) return bad;
+  Result<std::vector<double>> n = parse_numbers("--lamp", text.substr(4), values);
+  if (!n) return n.error();
+  const std::array<double, 3> place = {(*n)[0], (*n)[1], (*n)[2]};
+  const bool dark = values > 3 && std::any_of(n->begin() + 3, n->end(),
+                                              [](double v) { return !(v >= 0 && v <= 1e6); });
+  if (place == std::array<double, 3>{} || dark) return bad;
+  Lamp lamp;
+  if (near) lamp.position_m.emplace();
+  for (std::size_t i = 0; near && i < 3; ++i) {
+    (*lamp.position_m)[i] = static_cast<float>(place[i]);
+  }
+  if (!near) lamp.direction = unit_direction(place);
+  if (values > 3) lamp.intensity = static_cast<float>((*n)[3]);
+  for (std::size_t i = 4; i < values; ++i) lamp.color[i - 4] = static_cast<float>((*n)[i]);
+  return lamp;
+}
+
+/// A temperature, or CIE x,y.
+Result<void> parse_white(const std::string& text, log::PictureSpec& picture) {
+  const bool pair = text.find(',') != std::string::npos;
+  Result<std::vector<double>> n = parse_numbers("--white-point", text, pair ? 2 : 1);
+  if (!n) return n.error();
+  const double low = pair ? log::kChromaticityRange.min : log::kTemperatureRange.min;
+  const double high = pair ? log::kChromaticityRange.max : log::kTemperatureRange.max;
+  for (const double v : *n) {
+    if (v >= low && v <= high) continue;
+    return Error{ErrorCode::kUsage,
+                 "--white-point " + text + ": expected 1667..25000 K, or x,y within 0.01..0.9"};
+  }
+  if (pair) {
+    picture.white_xy = {(*n)[0], (*n)[1]};
+  } else {
+    picture.white_temperature_K = (*n)[0];
+  }
+  return {};
 }
 }  // namespace
 
@@ -66,6 +114,22 @@ void PictureOptions::add_to(CLI::App& app) {
       ->type_name("X,Y,Z");
   app.add_option("--environment", environment, "panorama that lights the picture (HDR, EXR, ...)")
       ->type_name("FILE");
+  app.add_option("--lamp", lamps,
+                 "in place of all lamps, up to 7: dir:X,Y,Z or pos:X,Y,Z (m from the canvas's "
+                 "centre), then intensity (0.75), then red, green, blue; repeatable")
+      ->allow_extra_args(false)
+      ->type_name("LAMP");
+  app.add_option("--varnish", varnish, "a smooth clear coat over everything, 0..1")
+      ->check(in_range(0.0, 1.0))
+      ->type_name("SHARE");
+  app.add_option("--occlusion", occlusion,
+                 "how much relief hides of sky and lamps, 0..1; 0 is not searched")
+      ->check(in_range(0.0, 1.0))
+      ->type_name("SHARE");
+  app.add_option("--white-point", white_point, "of the light that becomes white: K, or x,y of CIE")
+      ->type_name("WHITE");
+  app.add_option("--tone-curve", tone_curve, "of PNG and film: none, soft or filmic")
+      ->type_name("NAME");
   app.add_option("--exposure", exposure, "of the picture")
       ->check(in_range(-100.0, 100.0))
       ->type_name("STOPS");
@@ -97,10 +161,32 @@ Result<PictureChoice> PictureOptions::picture() const {
   return choice;
 }
 
+Result<void> PictureOptions::development(log::PictureSpec& picture) const {
+  picture.exposure_ev = exposure;
+  picture.varnish = varnish;
+  picture.occlusion = occlusion;
+  if (!tone_curve.empty()) {
+    picture.tone = tone_curve_of(tone_curve);
+    if (!picture.tone) {
+      return Error{ErrorCode::kUsage,
+                   "--tone-curve " + tone_curve + ": expected none, soft or filmic"};
+    }
+  }
+  return white_point.empty() ? Result<void>() : parse_white(white_point, picture);
+}
+
 Result<LightChoice> PictureOptions::lighting() const {
   LightChoice choice;
   choice.environment = environment;
-  choice.exposure_ev = exposure;
+  if (Result<void> developed = development(choice.picture); !developed) return developed.error();
+  for (const std::string& text : lamps) {
+    Result<Lamp> lamp = parse_lamp(text);
+    if (!lamp) return lamp.error();
+    choice.lamps.push_back(*lamp);
+  }
+  if (choice.lamps.size() > kMostLamps) {
+    return Error{ErrorCode::kUsage, "--lamp: at most 7 lamps"};
+  }
   choice.follow_gravity = light == "gravity";
   if (light.empty() || choice.follow_gravity) return choice;
   Result<std::array<double, 3>> direction = parse_vector("--light", light);

@@ -23,7 +23,9 @@ struct PictureOptions {
   std::string print;
   double dpi = 0;
   std::string crop, aov, light, environment, backend = "auto";
-  std::optional<double> exposure;
+  std::vector<std::string> lamps;
+  std::string white_point, tone_curve;
+  std::optional<double> exposure, varnish, occlusion;
   int bit_depth = 8, tile = 1024, threads = 0;
   bool full_float = false, no_clobber = false;
 
@@ -31,6 +33,9 @@ struct PictureOptions {
   Result<PictureChoice> picture() const;
   Result<LightChoice> lighting() const;
   SizeRequest size() const;
+
+ private:
+  Result<void> development(log::PictureSpec& picture) const;
 };
 
 /// How the job talks: progress, words, the closing report.

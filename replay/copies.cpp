@@ -32,7 +32,7 @@ CanvasState clone_state(const CanvasState& state) {
 
 Lighting clone_lighting(const Lighting& lighting) {
   Lighting copy;
-  copy.lamp = lighting.lamp;
+  copy.lamps = lighting.lamps;
   copy.environment = lighting.environment;
   for (std::size_t c = 0; c < 3; ++c) copy.reflection.rgb[c] = lighting.reflection.rgb[c].clone();
   copy.reflection.fov_deg = lighting.reflection.fov_deg;
@@ -41,7 +41,11 @@ Lighting clone_lighting(const Lighting& lighting) {
   copy.roughness_dry = lighting.roughness_dry;
   copy.refractive_index = lighting.refractive_index;
   copy.relief_scale = lighting.relief_scale;
+  copy.varnish = lighting.varnish;
+  copy.occlusion = lighting.occlusion;
   copy.exposure_ev = lighting.exposure_ev;
+  copy.white_xy = lighting.white_xy;
+  copy.tone = lighting.tone;
   return copy;
 }
 

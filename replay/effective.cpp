@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/optics/tone.h"
 #include "formats/log/model_fields.h"
 #include "replay/build_info.h"
 
@@ -27,9 +28,17 @@ void add_model(const Model& model, Provenance& out) {
 }
 
 void add_lighting(const Lighting& lighting, Provenance& out) {
-  out.emplace_back("light.direction", numbers(lighting.lamp.direction));
-  out.emplace_back("light.intensity", fmt::format("{}", lighting.lamp.intensity));
-  out.emplace_back("light.color", numbers(lighting.lamp.color));
+  for (std::size_t i = 0; i < lighting.lamps.size(); ++i) {
+    const Lamp& lamp = lighting.lamps[i];
+    const std::string name = i == 0 ? "light." : fmt::format("light{}.", i);
+    if (lamp.position_m) {
+      out.emplace_back(name + "position_m", numbers(*lamp.position_m));
+    } else {
+      out.emplace_back(name + "direction", numbers(lamp.direction));
+    }
+    out.emplace_back(name + "intensity", fmt::format("{}", lamp.intensity));
+    out.emplace_back(name + "color", numbers(lamp.color));
+  }
   std::string sh;
   for (const auto& coefficient : lighting.environment.L) {
     if (!sh.empty()) sh.push_back(' ');
@@ -37,6 +46,10 @@ void add_lighting(const Lighting& lighting, Provenance& out) {
   }
   out.emplace_back("environment.sh", sh);
   out.emplace_back("reflection", lighting.reflection.rgb[0].empty() ? "environment" : "camera");
+  out.emplace_back("varnish", fmt::format("{}", lighting.varnish));
+  out.emplace_back("occlusion", fmt::format("{}", lighting.occlusion));
+  out.emplace_back("white_point", fmt::format("{} {}", lighting.white_xy[0], lighting.white_xy[1]));
+  out.emplace_back("tone_curve", std::string(tone_curve_name(lighting.tone)));
   out.emplace_back("exposure_ev", fmt::format("{}", lighting.exposure_ev));
 }
 }  // namespace

@@ -15,13 +15,16 @@ Result<LightOverride> LightOverride::make(const LightChoice& choice) {
 }
 
 void LightOverride::apply(Lighting& lighting) const {
+  if (!choice_.lamps.empty()) lighting.lamps = choice_.lamps;
+  Lamp& lamp = lighting.lamps.front();
   if (choice_.direction) {
-    lighting.lamp.direction = unit_direction(*choice_.direction);
-    lighting.lamp.follows_gravity = false;
+    lamp.direction = unit_direction(*choice_.direction);
+    lamp.position_m.reset();
+    lamp.follows_gravity = false;
   }
-  if (choice_.follow_gravity) lighting.lamp.follows_gravity = true;
-  if (choice_.intensity) lighting.lamp.intensity = static_cast<float>(*choice_.intensity);
-  if (choice_.exposure_ev) lighting.exposure_ev = static_cast<float>(*choice_.exposure_ev);
+  if (choice_.follow_gravity) lamp.follows_gravity = true;
+  if (choice_.intensity) lamp.intensity = static_cast<float>(*choice_.intensity);
+  develop(choice_.picture, lighting);
   if (environment_) lighting.environment = *environment_;
 }
 

@@ -6,6 +6,7 @@
 
 #include "core/optics/irradiance.h"
 #include "core/optics/lamp.h"
+#include "core/optics/tone.h"
 #include "formats/image/read_image.h"
 
 namespace pentimento {
@@ -13,6 +14,11 @@ namespace pentimento {
 namespace {
 std::array<float, 3> to_float(const std::array<double, 3>& v) {
   return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
+}
+Lamp dark_lamp() {
+  Lamp lamp;
+  lamp.intensity = 0;
+  return lamp;
 }
 }  // namespace
 
@@ -23,8 +29,24 @@ std::array<float, 3> unit_direction(const std::array<double, 3>& v) {
           static_cast<float>(v[2] / length)};
 }
 
+void develop(const log::PictureSpec& picture, Lighting& lighting) {
+  if (picture.exposure_ev) lighting.exposure_ev = static_cast<float>(*picture.exposure_ev);
+  if (picture.varnish) lighting.varnish = static_cast<float>(*picture.varnish);
+  if (picture.occlusion) lighting.occlusion = static_cast<float>(*picture.occlusion);
+  if (picture.white_temperature_K) {
+    lighting.white_xy = white_of_temperature(*picture.white_temperature_K);
+  }
+  if (picture.white_xy) {
+    lighting.white_xy = {static_cast<float>((*picture.white_xy)[0]),
+                         static_cast<float>((*picture.white_xy)[1])};
+  }
+  if (picture.tone) lighting.tone = *picture.tone;
+}
+
 void settle_lamp(Lamp& lamp, const log::Gravity& gravity) {
-  lamp.direction = lamp_direction(lamp, to_float({gravity.x_m_s2, gravity.y_m_s2, gravity.z_m_s2}));
+  const std::array<float, 3> up = to_float({gravity.x_m_s2, gravity.y_m_s2, gravity.z_m_s2});
+  lamp.direction = lamp_direction(lamp, up);
+  if (lamp.position_m) lamp.position_m = lamp_position(lamp, up);
   lamp.follows_gravity = false;
 }
 
@@ -63,13 +85,21 @@ Result<void> LightingTrack::follow(const log::Action& action, LogFiles& files) {
 }
 
 void LightingTrack::light(const log::Light& event) {
-  Lamp& lamp = lighting_.lamp;
-  if (event.direction) lamp.direction = unit_direction(*event.direction);
+  const auto index = static_cast<std::size_t>(event.lamp);
+  // Lamps between that nobody has spoken of yet are dark.
+  while (lighting_.lamps.size() <= index) lighting_.lamps.push_back(dark_lamp());
+  Lamp& lamp = lighting_.lamps[index];
+  if (index > 0 && !event.intensity && lamp == dark_lamp()) lamp.intensity = Lamp{}.intensity;
+  if (event.direction) {
+    lamp.direction = unit_direction(*event.direction);
+    lamp.position_m.reset();
+  }
+  if (event.position_m) lamp.position_m = to_float(*event.position_m);
   if (event.intensity) lamp.intensity = static_cast<float>(*event.intensity);
   if (event.color) lamp.color = to_float(*event.color);
   if (event.follow_gravity) {
     lamp.follows_gravity = true;
-  } else if (event.direction) {
+  } else if (event.direction || event.position_m) {
     lamp.follows_gravity = false;
   }
 }

@@ -22,6 +22,9 @@ Result<ShCoefficients> read_environment(const std::string& path);
 /// A direction of a log or command line at unit length; (0,0,1) if it has none.
 std::array<float, 3> unit_direction(const std::array<double, 3>& direction);
 
+/// What a log's header says about its pictures, put into `lighting`.
+void develop(const log::PictureSpec& picture, Lighting& lighting);
+
 /// Puts a lamp that follows gravity where it stands under `gravity`, for good.
 void settle_lamp(Lamp& lamp, const log::Gravity& gravity);
 

@@ -22,6 +22,12 @@ namespace pentimento {
 
 namespace {
 
+Lighting first_lighting(LogSession& session) {
+  Lighting lighting = session.start ? std::move(session.start->lighting) : default_lighting();
+  develop(session.reader->header().picture, lighting);
+  return lighting;
+}
+
 /// One replay in progress, from the first step to the closing report.
 class Replay {
  public:
@@ -33,7 +39,7 @@ class Replay {
         threads_(job.threads),
         settings_{job.picture, session.size, threads_.count(), control},
         outputs_(settings_, watch),
-        lighting_(session.start ? std::move(session.start->lighting) : default_lighting()) {}
+        lighting_(first_lighting(session)) {}
 
   Result<JobReport> run();
 
@@ -197,7 +203,8 @@ Result<void> Replay::write(const std::vector<PlannedOutput>& files) {
   report_.state_sha256 = view.detail > 1 ? state_sha256(*view.canvas) : report_.guide_sha256;
   Lighting lighting = clone_lighting(lighting_.lighting());
   light_.apply(lighting);
-  settle_lamp(lighting.lamp, job_.gravity ? log_gravity(*job_.gravity) : lighting_.gravity());
+  const log::Gravity gravity = job_.gravity ? log_gravity(*job_.gravity) : lighting_.gravity();
+  for (Lamp& lamp : lighting.lamps) settle_lamp(lamp, gravity);
   const Scene scene{*view.canvas, simulation_->basis(), simulation_->model(), lighting};
   const Origin from = origin(lighting);
   if (Result<void> shaded = outputs_.add_pictures(files, scene, from); !shaded) return shaded;

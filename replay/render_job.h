@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/model.h"
+#include "core/optics/lighting.h"
 #include "core/shading/shader.h"
 #include "formats/log/reader.h"
 #include "replay/output_size.h"
@@ -21,8 +22,9 @@ struct LightChoice {
   std::optional<std::array<double, 3>> direction;  // viewer's frame, y up
   bool follow_gravity = false;
   std::optional<double> intensity;
+  std::vector<Lamp> lamps;  // in place of all; empty: as they are
   std::string environment;  // a panorama's file; empty: as it is
-  std::optional<double> exposure_ev;
+  log::PictureSpec picture;
 };
 
 /// What is written, and how.

@@ -18,4 +18,7 @@ namespace pentimento {
 /// rotation is half a turn about x. Readings under 0.1 m/s^2 (free fall) tell nothing: no rotation.
 std::array<float, 3> lamp_direction(const Lamp& lamp, std::array<float, 3> gravity);
 
+/// The same of the place of a lamp that has one: turned about the canvas's centre.
+std::array<float, 3> lamp_position(const Lamp& lamp, std::array<float, 3> gravity);
+
 }  // namespace pentimento

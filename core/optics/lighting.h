@@ -3,7 +3,8 @@
 // z out of the canvas towards the viewer, as logs and sensors have it.
 
 #include <array>
-#include <string>
+#include <optional>
+#include <vector>
 
 #include "core/field.h"
 
@@ -28,12 +29,16 @@ inline constexpr ShCoefficients kStudioEnvironment{{{{0.976f, 0.985f, 1.005f},
                                                      {},
                                                      {}}}};
 
-/// One directional lamp. `direction` points towards the lamp, unit length.
+/// One lamp, far away or near. `direction` points towards it, unit length. `position_m`, if set,
+/// is counted from the canvas's centre and takes the direction's place; `intensity` is then that
+/// at the centre, and falls with the square of the distance.
 struct Lamp {
   std::array<float, 3> direction = {-0.48f, 0.60f, 0.64f};  // top left
-  float intensity = 0.75f;                                  // irradiance at normal incidence / pi
+  std::optional<std::array<float, 3>> position_m;
+  float intensity = 0.75f;  // irradiance at normal incidence / pi
   std::array<float, 3> color = {1.0f, 0.976f, 0.94f};
   bool follows_gravity = false;  // fixed in the room: turns against the tablet (lamp.h)
+  friend bool operator==(const Lamp&, const Lamp&) = default;
 };
 
 /// The front camera's picture (R34), linear RGB, row 0 on top; empty = reflect the SH light.
@@ -45,15 +50,26 @@ struct ReflectionMap {
   bool mirror = true;
 };
 
+inline constexpr int kMostLamps = 7;
+
+/// How scene-linear light becomes the values of a display (tone.h).
+enum class ToneCurve { kNone, kSoft, kFilmic };
+/// CIE xy of D65, sRGB's white.
+inline constexpr std::array<float, 2> kD65_xy = {0.3127f, 0.3290f};
+
 struct Lighting {
-  Lamp lamp;
+  std::vector<Lamp> lamps = {Lamp{}};  // 1 to kMostLamps; the first is the lamp
   ShCoefficients environment = kStudioEnvironment;
   ReflectionMap reflection;
-  float roughness_wet = 0.22f;  // Beckmann a; by eye (docs/optics.md)
+  float roughness_wet = 0.16f;  // Beckmann a; by eye (docs/optics.md)
   float roughness_dry = 0.45f;
   float refractive_index = 1.48f;
+  float varnish = 0;          // 0..1: a smooth clear coat over everything
   float relief_scale = 1.0f;  // of the height for normals (A34)
+  float occlusion = 1.0f;     // 0..1: how much relief hides of sky and lamps; 0 = not searched
   float exposure_ev = 0;      // picture = linear x 2^exposure
+  std::array<float, 2> white_xy = kD65_xy;  // of the light that becomes white
+  ToneCurve tone = ToneCurve::kNone;        // of pictures for a display; EXR stays linear
 };
 
 }  // namespace pentimento

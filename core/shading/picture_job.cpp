@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "core/shading/horizon.h"
+#include "core/shading/lamp_uniforms.h"
 #include "core/shading/state_window.h"
 
 namespace pentimento {
@@ -18,18 +20,20 @@ class TileTextures {
   TileTextures(const GlFunctions& gl, const PictureLayout& layout)
       : width_(layout.x.most_cells(layout.tiles.width)),
         height_(layout.y.most_cells(layout.tiles.height)),
+        border_(layout.border),
         columns_(gl, TexelFormat::kRg, layout.tiles.width * layout.x.per_pixel, 1),
         rows_(gl, TexelFormat::kRg, layout.tiles.height * layout.y.per_pixel, 1),
         ground_(gl, TexelFormat::kRgba, width_, height_),
-        relief_(gl, TexelFormat::kRg, width_, height_),
+        relief_(gl, TexelFormat::kRg, width_ + 2 * border_, height_ + 2 * border_),
         amounts_(gl, TexelFormat::kRgba, width_, height_,
                  layout.variant.layers * layout.variant.planes()) {
     if (layout.variant.spectral)
       dry_.emplace(gl, TexelFormat::kRgba, width_, height_, layout.variant.band_texels());
   }
 
-  void upload(const CanvasSource& canvas, const ShadeVariant& variant, const AxisWindow& x,
-              const AxisWindow& y) {
+  /// Gives the window that was uploaded, without the relief's border.
+  CellWindow upload(const CanvasSource& canvas, const ShadeVariant& variant, const AxisWindow& x,
+                    const AxisWindow& y) {
     columns_.upload(static_cast<int>(x.table.size() / 2), 1, x.table.data());
     rows_.upload(static_cast<int>(y.table.size() / 2), 1, y.table.data());
     const CellWindow window{x.first_cell, y.first_cell, x.cells, y.cells};
@@ -39,8 +43,10 @@ class TileTextures {
       pack_bands(canvas, texel, window, texels_);
       dry_->upload(window.width, window.height, texels_.data(), texel);
     }
-    pack_relief(canvas, window, texels_);
-    relief_.upload(window.width, window.height, texels_.data());
+    const CellWindow wider{window.x - border_, window.y - border_, window.width + 2 * border_,
+                           window.height + 2 * border_};
+    pack_relief(canvas, wider, texels_);
+    relief_.upload(wider.width, wider.height, texels_.data());
     for (int layer = 0; layer < variant.layers; ++layer) {
       for (int plane = 0; plane < variant.planes(); ++plane) {
         pack_amounts(canvas, layer, plane, window, texels_);
@@ -48,6 +54,7 @@ class TileTextures {
                         layer * variant.planes() + plane);
       }
     }
+    return window;
   }
 
   void bind() const {
@@ -62,9 +69,38 @@ class TileTextures {
  private:
   int width_;
   int height_;
+  int border_;
   GlTexture columns_, rows_, ground_, relief_, amounts_;
   std::optional<GlTexture> dry_;  // bands of a spectral canvas
   std::vector<float> texels_;
+};
+
+/// What the relief leaves of sky and lamps in a tile's window, drawn before the tile.
+class HorizonPass {
+ public:
+  HorizonPass(const GlFunctions& gl, const GlProgram& program, const ShadeScene& scene,
+              const PictureLayout& layout)
+      : program_(program),
+        planes_(layout.variant.occlusion_planes()),
+        targets_(gl, layout.x.most_cells(layout.tiles.width),
+                 layout.y.most_cells(layout.tiles.height), planes_) {
+    program_.use();
+    set_horizon_uniforms(program_, scene.canvas.geometry(), scene.lighting);
+  }
+  bool complete() const { return targets_.complete(); }
+
+  /// The window's relief is bound.
+  void draw(const CellWindow& window) {
+    program_.use();
+    set_first_cell(program_, window.x, window.y);
+    targets_.draw(window.width, window.height);
+    for (int i = 0; i < planes_; ++i) targets_.texture(i).bind(kSeenFirst + i);
+  }
+
+ private:
+  const GlProgram& program_;
+  int planes_;
+  GlTargets targets_;
 };
 
 /// The camera's picture as a texture; nothing without one.
@@ -140,6 +176,9 @@ PictureLayout lay_out(const ShadeScene& scene, const ShadeRequest& request,
   variant.interface = scene.model.saunderson_k1 != 0 || scene.model.saunderson_k2 != 0;
   variant.by_depth = scene.model.optical_thickness == OpticalThickness::kDepth;
   variant.reflection_map = !scene.lighting.reflection.rgb[0].empty();
+  variant.lamps = static_cast<int>(shining(scene.lighting).size());
+  variant.occlusion = scene.lighting.occlusion > 0;
+  if (variant.occlusion) out.border = horizon_border(grid);
   assign_targets(planes, variant);
   out.tiles = plan_tiles(
       {out.x, out.y, crop_run(request.crop_x, request.crop_width, request.width),
@@ -149,8 +188,20 @@ PictureLayout lay_out(const ShadeScene& scene, const ShadeRequest& request,
   return out;
 }
 
-Result<void> shade_picture(const GlFunctions& gl, const GlProgram& program, const ShadeScene& scene,
-                           const PictureLayout& layout, const std::vector<PlaneSource>& planes,
+Result<ShadePrograms> link_programs(const GlFunctions& gl, const ShadeVariant& variant) {
+  auto shade = link_shade_program(gl, variant);
+  if (!shade) return shade.error();
+  ShadePrograms programs{std::move(*shade), std::nullopt};
+  if (!variant.occlusion) return programs;
+  auto horizon = link_horizon_program(gl, variant);
+  if (!horizon) return horizon.error();
+  programs.horizon.emplace(std::move(*horizon));
+  return programs;
+}
+
+Result<void> shade_picture(const GlFunctions& gl, const ShadePrograms& programs,
+                           const ShadeScene& scene, const PictureLayout& layout,
+                           const std::vector<PlaneSource>& planes,
                            const std::vector<PictureSink*>& sinks) {
   const TilePlan& tiles = layout.tiles;
   const auto out_of_memory = [] {
@@ -159,12 +210,13 @@ Result<void> shade_picture(const GlFunctions& gl, const GlProgram& program, cons
   TileTextures textures(gl, layout);
   GlTargets targets(gl, tiles.width, tiles.height, layout.variant.targets);
   const std::optional<GlTexture> reflection = reflection_texture(gl, scene.lighting.reflection);
-  if (!targets.complete() || gl.GetError() != GL_NO_ERROR) return out_of_memory();
-  program.use();
-  set_shade_uniforms(program, {scene.basis,
-                               scene.model,
-                               scene.lighting,
-                               {scene.canvas.geometry().dx_m(), scene.canvas.geometry().dy_m()}});
+  std::optional<HorizonPass> horizon;
+  if (programs.horizon) horizon.emplace(gl, *programs.horizon, scene, layout);
+  if ((horizon && !horizon->complete()) || !targets.complete() || gl.GetError() != GL_NO_ERROR)
+    return out_of_memory();
+  programs.shade.use();
+  set_shade_uniforms(programs.shade, {scene.basis, scene.model, scene.lighting,
+                                      scene.canvas.geometry(), layout.border});
 
   const int left = tiles.columns.front().first, top = tiles.rows.front().first;
   const int width = tiles.columns.back().first + tiles.columns.back().count - left;
@@ -174,9 +226,12 @@ Result<void> shade_picture(const GlFunctions& gl, const GlProgram& program, cons
   for (const TileRun& row : tiles.rows) {
     const AxisWindow y = axis_window(layout.y, row.first, row.count);
     for (const TileRun& column : tiles.columns) {
-      textures.upload(scene.canvas, layout.variant,
-                      axis_window(layout.x, column.first, column.count), y);
+      const CellWindow window = textures.upload(
+          scene.canvas, layout.variant, axis_window(layout.x, column.first, column.count), y);
       textures.bind();
+      if (horizon) horizon->draw(window);
+      programs.shade.use();
+      set_first_cell(programs.shade, window.x, window.y);
       if (reflection) reflection->bind(kReflectionMap);
       targets.draw(column.count, row.count);
       for (int t = 0; t < layout.variant.targets; ++t) {

@@ -1,6 +1,7 @@
 #pragma once
 // One picture, tile by tile: upload the window of the canvas, draw, read back, hand out strips.
 
+#include <optional>
 #include <vector>
 
 #include "core/shading/aov.h"
@@ -25,15 +26,24 @@ struct PictureLayout {
   SampleAxis x;
   SampleAxis y;
   TilePlan tiles;
+  int border = 0;  // cells of relief around a tile's window
   ShadeVariant variant;
 };
 
 PictureLayout lay_out(const ShadeScene& scene, const ShadeRequest& request,
                       const std::vector<PlaneSource>& planes);
 
+/// The programs of a variant.
+struct ShadePrograms {
+  GlProgram shade;
+  std::optional<GlProgram> horizon;  // with occlusion
+};
+Result<ShadePrograms> link_programs(const GlFunctions& gl, const ShadeVariant& variant);
+
 /// The context is current. Strips go to each sink in turn; the first failure ends it.
-Result<void> shade_picture(const GlFunctions& gl, const GlProgram& program, const ShadeScene& scene,
-                           const PictureLayout& layout, const std::vector<PlaneSource>& planes,
+Result<void> shade_picture(const GlFunctions& gl, const ShadePrograms& programs,
+                           const ShadeScene& scene, const PictureLayout& layout,
+                           const std::vector<PlaneSource>& planes,
                            const std::vector<PictureSink*>& sinks);
 
 }  // namespace pentimento

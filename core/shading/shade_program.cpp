@@ -5,6 +5,9 @@
 #include "core/optics/composite.h"
 #include "core/optics/microfacet.h"
 #include "core/optics/spectral/band_weights.h"
+#include "core/optics/tone.h"
+#include "core/shading/horizon.h"
+#include "core/shading/lamp_uniforms.h"
 #include "core/shading/shader_source.h"
 
 namespace pentimento {
@@ -14,7 +17,6 @@ constexpr const char* kTargetDefine[] = {"PICTURE_TARGET", "ALBEDO_TARGET",   "N
                                          "DIFFUSE_TARGET", "SPECULAR_TARGET", "REFLECTION_TARGET",
                                          "PIGMENT_TARGET"};
 constexpr int kPigmentKind = static_cast<int>(TargetKind::kPigment);
-constexpr const char* kVersion = "#version 330 core\n";
 
 std::string define(const char* name, int value) {
   return std::string("#define ") + name + " " + std::to_string(value) + "\n";
@@ -51,16 +53,18 @@ void set_paint(const GlProgram& program, const ShadeParameters& p) {
 
 void set_light(const GlProgram& program, const Lighting& light) {
   program.set_vec3("environment", light.environment.L[0].data(), 9);
-  program.set_vec3("lamp_direction", light.lamp.direction.data());
-  std::array<float, 3> radiance{};
-  for (std::size_t i = 0; i < 3; ++i) radiance[i] = light.lamp.intensity * light.lamp.color[i];
-  program.set_vec3("lamp_radiance", radiance.data());
   program.set("refractive_index", light.refractive_index);
   program.set("normal_reflectance",
               static_cast<float>(fresnel_normal(static_cast<double>(light.refractive_index))));
   program.set("roughness_dry", light.roughness_dry);
   program.set("roughness_wet", light.roughness_wet);
-  program.set("exposure", std::exp2(light.exposure_ev));
+  program.set("varnish", light.varnish);
+  program.set("occlusion", light.occlusion);
+  std::array<std::array<float, 3>, 3> exposure = white_balance(light.white_xy);
+  for (auto& row : exposure) {
+    for (float& v : row) v *= std::exp2(light.exposure_ev);
+  }
+  program.set_mat3("exposure", exposure[0].data());
 }
 
 /// Picture coordinates per tangent; the rows of the picture run down, y up.
@@ -82,6 +86,9 @@ std::string ShadeVariant::defines() const {
                      define("INTERPOLATE", interpolate) + define("BY_DEPTH", by_depth) +
                      define("REFLECTION_MAP", reflection_map) + define("SPECTRAL", spectral) +
                      define("BAND_TEXELS", band_texels()) + define("INTERFACE", interface) +
+                     define("REFLECTION_MAP", reflection_map) + define("LAMPS", lamps) +
+                     define("OCCLUSION_PLANES", occlusion_planes()) +
+                     define("SKY_DIRECTIONS", kSkyDirections) + define("MOST_STEPS", kMostSteps) +
                      "#define EMPTY_AMOUNT " + std::to_string(kEmptyLayerAmount * 1e7f) + "e-7\n";
   for (std::size_t i = 1; i < target.size(); ++i) {
     if (target[i] >= 0) text += define(kTargetDefine[i], target[i]);
@@ -102,23 +109,29 @@ void assign_targets(const std::vector<PlaneSource>& planes, ShadeVariant& varian
 }
 
 Result<GlProgram> link_shade_program(const GlFunctions& gl, const ShadeVariant& variant) {
-  std::string fragment = kVersion + variant.defines();
-  for (const char* file : {"surface.glsl", "paint.glsl", "light.glsl", "shade.frag.glsl"}) {
+  std::string fragment = kGlslVersion + variant.defines();
+  for (const char* file :
+       {"surface.glsl", "paint.glsl", "lamps.glsl", "light.glsl", "shade.frag.glsl"}) {
     fragment += shader_source(file);
   }
-  return GlProgram::link(gl, kVersion + std::string(shader_source("triangle.vert.glsl")), fragment);
+  return GlProgram::link(gl, kGlslVersion + std::string(shader_source("triangle.vert.glsl")),
+                         fragment);
 }
 
 void set_shade_uniforms(const GlProgram& program, const ShadeParameters& p) {
   const std::pair<const char*, ShadeUnit> samplers[] = {
-      {"columns", kColumns}, {"rows", kRows},       {"ground", kGround},
-      {"relief", kRelief},   {"amounts", kAmounts}, {"reflection_map", kReflectionMap},
+      {"columns", kColumns},      {"rows", kRows},
+      {"ground", kGround},        {"relief", kRelief},
+      {"amounts", kAmounts},      {"reflection_map", kReflectionMap},
+      {"seen_first", kSeenFirst}, {"seen_second", kSeenSecond},
       {"dry", kDry}};
   for (const auto& [name, unit] : samplers) program.set(name, static_cast<int>(unit));
-  const std::array<float, 2> relief_per_cell = {p.lighting.relief_scale / p.cell_m[0],
-                                                p.lighting.relief_scale / p.cell_m[1]};
+  const std::array<float, 2> relief_per_cell = {p.lighting.relief_scale / p.grid.dx_m(),
+                                                p.lighting.relief_scale / p.grid.dy_m()};
   program.set_vec2("relief_per_cell", relief_per_cell.data());
+  program.set("relief_border", p.relief_border);
   set_paint(program, p);
+  set_lamp_uniforms(program, p.grid, p.lighting);
   set_light(program, p.lighting);
   set_reflection(program, p.lighting.reflection);
 }

@@ -5,6 +5,7 @@
 #include <array>
 #include <string>
 
+#include "core/canvas_state.h"
 #include "core/model.h"
 #include "core/optics/channels.h"
 #include "core/optics/lighting.h"
@@ -24,10 +25,14 @@ struct ShadeVariant {
   bool interpolate = false;
   bool by_depth = false;
   bool reflection_map = false;
+  int lamps = 1;  // that shine
+  bool occlusion = false;
   /// Where each kind's first target is; -1 = not drawn.
   std::array<int, 7> target = {0, -1, -1, -1, -1, -1, -1};
   int targets = 1;
 
+  /// RGBA texels of what the relief leaves of sky and lamps.
+  int occlusion_planes() const { return occlusion ? (lamps + 4) / 4 : 0; }
   /// RGBA texels of one layer's channels.
   int planes() const { return (channels + 3) / 4; }
   /// RGBA texels of the bands.
@@ -40,18 +45,31 @@ struct ShadeVariant {
 void assign_targets(const std::vector<PlaneSource>& planes, ShadeVariant& variant);
 
 /// Which texture unit each sampler reads.
-enum ShadeUnit { kColumns, kRows, kGround, kRelief, kAmounts, kReflectionMap, kDry };
+enum ShadeUnit {
+  kColumns,
+  kRows,
+  kGround,
+  kRelief,
+  kAmounts,
+  kReflectionMap,
+  kDry,
+  kSeenFirst,
+  kSeenSecond
+};
+
+inline constexpr const char* kGlslVersion = "#version 330 core\n";
 
 Result<GlProgram> link_shade_program(const GlFunctions& gl, const ShadeVariant& variant);
 
-/// What the uniforms of a state's picture are set from. `cell_m`: size of a cell.
+/// What the uniforms of a state's picture are set from.
 struct ShadeParameters {
   const ChannelBasis& basis;
   const Model& model;
   const Lighting& lighting;
-  std::array<float, 2> cell_m;
+  const CanvasGeometry& grid;
+  int relief_border = 0;  // cells
 };
-/// Sets all uniforms; the program must be in use.
+/// Sets all uniforms but the tile's first cell; the program must be in use.
 void set_shade_uniforms(const GlProgram& program, const ShadeParameters& parameters);
 
 }  // namespace pentimento

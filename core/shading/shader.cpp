@@ -111,7 +111,7 @@ class GlShader : public Shader {
     auto program = programs_.find(layout.variant);
     if (program == programs_.end()) {
       if (auto fits = check_gl_limits(gl_, layout.variant); !fits) return fits;
-      auto linked = link_shade_program(gl_, layout.variant);
+      auto linked = link_programs(gl_, layout.variant);
       if (!linked) return linked.error();
       program = programs_.emplace(layout.variant, std::move(*linked)).first;
     }
@@ -121,7 +121,7 @@ class GlShader : public Shader {
   std::unique_ptr<GlContext> context_;
   GlFunctions gl_;
   std::string description_;
-  std::map<ShadeVariant, GlProgram> programs_;
+  std::map<ShadeVariant, ShadePrograms> programs_;
 };
 
 }  // namespace

@@ -13,9 +13,9 @@ constexpr std::int64_t kMiB = std::int64_t{1} << 20;
 constexpr std::int64_t kRgbaBytes = 16;
 
 /// Largest count of pixels, at most `wanted`, whose window and samples fit; at least 1.
-int fitting(const SampleAxis& axis, int wanted) {
+int fitting(const SampleAxis& axis, int wanted, int border) {
   int count = std::min({wanted, kMostTile, kMostSamples / axis.per_pixel});
-  while (count > 1 && axis.most_cells(count) > kMostWindow) count = (count + 1) / 2;
+  while (count > 1 && axis.most_cells(count) + 2 * border > kMostWindow) count = (count + 1) / 2;
   return std::max(count, 1);
 }
 
@@ -39,8 +39,8 @@ bool within_budgets(const TileDemand& d, std::int64_t width, std::int64_t height
 
 TilePlan plan_tiles(const TileDemand& demand) {
   TilePlan plan;
-  plan.width = fitting(demand.x, std::min(demand.tile, demand.crop_x.count));
-  plan.height = fitting(demand.y, std::min(demand.tile, demand.crop_y.count));
+  plan.width = fitting(demand.x, std::min(demand.tile, demand.crop_x.count), demand.border);
+  plan.height = fitting(demand.y, std::min(demand.tile, demand.crop_y.count), demand.border);
   while (plan.height > 1 && !within_budgets(demand, plan.width, plan.height)) {
     plan.height = (plan.height + 1) / 2;
   }

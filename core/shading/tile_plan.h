@@ -26,6 +26,7 @@ struct TileDemand {
   TileRun crop_y;
   int tile = 1024;       // side wanted, pixels
   int input_texels = 1;  // RGBA texels uploaded per cell
+  int border = 0;        // cells of relief around the window
   int targets = 1;       // RGBA targets drawn
   int planes = 3;        // float planes of a strip
 };

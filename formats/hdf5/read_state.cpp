@@ -13,6 +13,7 @@
 #include "formats/hdf5/dump_source.h"
 #include "formats/hdf5/handle.h"
 #include "formats/hdf5/layout.h"
+#include "formats/hdf5/lighting_parts.h"
 #include "formats/hdf5/read_canvas.h"
 #include "formats/hdf5/read_small.h"
 #include "formats/hdf5/rehearsal.h"
@@ -199,7 +200,10 @@ Result<void> StateReader::read_lamp(Lamp& lamp, hid_t group) const {
 Result<void> StateReader::read_lighting(Lighting& light) const {
   if (H5Lexists(file_, "/lighting", H5P_DEFAULT) <= 0) return missing("/lighting");
   const Handle group(H5Gopen2(file_, "/lighting", H5P_DEFAULT), H5Gclose);
-  if (const Result<void> lamp = read_lamp(light.lamp, group.id()); !lamp) return lamp;
+  if (const Result<void> lamp = read_lamp(light.lamps.front(), group.id()); !lamp) return lamp;
+  if (!hdf5::read_lamps(file_, light.lamps)) return bad("/lighting: lamps of a wrong shape");
+  if (!hdf5::read_development(group.id(), light))
+    return bad("/lighting: an attribute out of range");
   const auto sh = hdf5::read_doubles(file_, "/lighting/sh", {9, 3});
   if (!sh) return missing("/lighting/sh");
   for (std::size_t i = 0; i < sh->size(); ++i)

@@ -3,9 +3,11 @@
 
 #include <string_view>
 
+#include "core/optics/tone.h"
 #include "core/threads.h"
 #include "formats/hdf5/chunked.h"
 #include "formats/hdf5/handle.h"
+#include "formats/hdf5/lighting_parts.h"
 #include "formats/hdf5/output_driver.h"
 #include "formats/hdf5/read_state.h"
 #include "formats/hdf5/sleep.h"
@@ -111,7 +113,7 @@ bool write_reflection(hid_t file, const ReflectionMap& map, int level, const Thr
 bool write_lighting(hid_t file, const Lighting& light, int level, const Threads& threads) {
   std::vector<float> sh;
   for (const auto& rgb : light.environment.L) sh.insert(sh.end(), rgb.begin(), rgb.end());
-  const Lamp& lamp = light.lamp;
+  const Lamp& lamp = light.lamps.front();
   const Handle group(H5Gopen2(file, "/lighting", H5P_DEFAULT), H5Gclose);
   const hid_t id = group.id();
   return write_small(file,
@@ -130,6 +132,12 @@ bool write_lighting(hid_t file, const Lighting& light, int level, const Threads&
          set_attribute(id, "refractive_index", light.refractive_index) &&
          set_attribute(id, "relief_scale", light.relief_scale) &&
          set_attribute(id, "exposure_ev", light.exposure_ev) &&
+         set_attribute(id, "varnish", light.varnish) &&
+         set_attribute(id, "occlusion", light.occlusion) &&
+         set_attribute(id, "white_x", light.white_xy[0]) &&
+         set_attribute(id, "white_y", light.white_xy[1]) &&
+         set_attribute(id, "tone_curve", tone_curve_name(light.tone)) &&
+         hdf5::write_lamps(file, light.lamps) &&
          (light.reflection.rgb[0].empty() ||
           write_reflection(file, light.reflection, level, threads));
 }

@@ -39,7 +39,9 @@ struct Members {
   void operator()(const BrushChange& brush) const { json.text("name", brush.name); }
   void operator()(const Load& load) const { json.text("file", load.file); }
   void operator()(const Light& light) const {
+    if (light.lamp != 0) json.number("lamp", light.lamp);
     if (light.direction) json.numbers("direction", *light.direction);
+    if (light.position_m) json.numbers("position", *light.position_m);
     json.number("intensity", light.intensity).color("color", light.color);
     if (light.follow_gravity) json.text("follow", "gravity");
   }

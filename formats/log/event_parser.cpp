@@ -84,14 +84,21 @@ Action parse_load(Fields& fields) {
 
 Action parse_light(Fields& fields) {
   Light light;
+  light.lamp = static_cast<int>(fields.whole("lamp", kLampRange).value_or(0));
   light.direction = fields.triple("direction", kDirectionRange);
+  light.position_m = fields.triple("position", kPositionRange);
   light.intensity = fields.number("intensity", kIntensityRange);
   light.color = fields.color("color");
   light.follow_gravity = fields.choice("follow", kFollow).has_value();
   if (light.direction && *light.direction == Rgb{}) fields.reject("direction", "has no length");
+  if (light.position_m && *light.position_m == Rgb{}) {
+    fields.reject("position", "is the canvas's centre");
+  }
   if (light.direction && light.follow_gravity) fields.fail("light has both direction and follow");
-  if (!light.direction && !light.intensity && !light.color && !light.follow_gravity) {
-    fields.fail("light needs direction, intensity, color or follow");
+  if (light.direction && light.position_m) fields.fail("light has both direction and position");
+  if (!light.direction && !light.position_m && !light.intensity && !light.color &&
+      !light.follow_gravity) {
+    fields.fail("light needs direction, position, intensity, color or follow");
   }
   return light;
 }

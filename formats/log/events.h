@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/model.h"
+#include "core/optics/lighting.h"
 
 namespace pentimento::log {
 
@@ -53,6 +54,13 @@ struct PaperSpec {
   Rgb reflectance = {0.9, 0.9, 0.9};
 };
 
+/// How pictures of this log are developed; what is not said is as it is by default.
+struct PictureSpec {
+  std::optional<double> exposure_ev, varnish, occlusion, white_temperature_K;
+  std::optional<std::array<double, 2>> white_xy;
+  std::optional<ToneCurve> tone;
+};
+
 struct Header {
   int version = 1;
   double canvas_width_m = 1, canvas_height_m = 0.75;
@@ -63,6 +71,7 @@ struct Header {
   std::vector<PigmentSpec> palette;
   std::vector<BrushSpec> brushes;
   Model model;
+  PictureSpec picture;
   std::string title, author, recorded_by, recorded_at;
   std::string extensions;  // members named x-..., as "x-a":1,"x-b":[2]; kept, ignored by the replay
 };
@@ -99,7 +108,9 @@ struct Load {
 struct Undo {};
 struct Redo {};
 struct Light {
-  std::optional<std::array<double, 3>> direction;  // y up
+  int lamp = 0;  // which; one that is new begins as the default lamp
+  std::optional<std::array<double, 3>> direction;   // y up
+  std::optional<std::array<double, 3>> position_m;  // from the canvas's centre, y up
   std::optional<double> intensity;
   std::optional<Rgb> color;  // linear
   bool follow_gravity = false;

@@ -1,3 +1,4 @@
+#include "core/optics/tone.h"
 #include "formats/log/header_parser.h"
 #include "formats/log/json_object.h"
 #include "formats/log/model_fields.h"
@@ -88,6 +89,16 @@ std::string model_json(const Model& model) {
   return json.close();
 }
 
+std::string picture_json(const PictureSpec& picture) {
+  JsonObject json;
+  json.number("exposure", picture.exposure_ev).number("varnish", picture.varnish);
+  json.number("occlusion", picture.occlusion);
+  json.number("white_temperature", picture.white_temperature_K);
+  if (picture.white_xy) json.numbers("white_point", *picture.white_xy);
+  if (picture.tone) json.text("tone_curve", tone_curve_name(*picture.tone));
+  return json.close();
+}
+
 void add_text(JsonObject& json, std::string_view key, const std::string& text) {
   if (!text.empty()) json.text(key, text);
 }
@@ -106,6 +117,8 @@ std::string header_json(const Header& header) {
   if (!palette.empty()) json.raw("palette", json_array(palette));
   if (!brushes.empty()) json.raw("brushes", json_array(brushes));
   json.raw("model", model_json(header.model));
+  const std::string picture = picture_json(header.picture);
+  if (picture != "{}") json.raw("picture", picture);
   add_text(json, "title", header.title);
   add_text(json, "author", header.author);
   add_text(json, "recorded_by", header.recorded_by);

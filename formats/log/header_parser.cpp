@@ -17,6 +17,7 @@ namespace {
 
 constexpr std::string_view kEdges[] = {"closed", "open"};
 constexpr std::string_view kOptics[] = {"rgb", "spectral"};
+constexpr std::string_view kToneCurves[] = {"none", "soft", "filmic"};  // in the order of ToneCurve
 
 /// Whether this is a log of ours, of a version we know: before anything else, since a newer
 /// version may look different in all the rest.
@@ -95,6 +96,27 @@ void parse_model(Fields& header_fields, Model& model) {
   if (!problem.empty()) header_fields.fail("model." + problem);
 }
 
+void parse_picture(Fields& header_fields, PictureSpec& picture) {
+  const JsonNode* node = header_fields.object("picture");
+  if (node == nullptr) return;
+  Fields fields(header_fields.line(), *node, "picture.");
+  picture.exposure_ev = fields.number("exposure", kExposureRange);
+  picture.varnish = fields.number("varnish", kUnitRange);
+  picture.occlusion = fields.number("occlusion", kUnitRange);
+  picture.white_temperature_K = fields.number("white_temperature", kTemperatureRange);
+  if (const auto xy = fields.numbers("white_point", kChromaticityRange)) {
+    if (xy->size() != 2) fields.reject("white_point", "is not two numbers, x and y");
+    if (xy->size() == 2) picture.white_xy = {(*xy)[0], (*xy)[1]};
+  }
+  if (picture.white_xy && picture.white_temperature_K) {
+    fields.fail("picture has both white_point and white_temperature");
+  }
+  if (const auto curve = fields.choice("tone_curve", kToneCurves)) {
+    picture.tone = static_cast<ToneCurve>(*curve);
+  }
+  header_fields.fail_unless_empty(fields.finish());
+}
+
 }  // namespace
 
 std::string parse_header(const JsonLine& json, Header& header) {
@@ -111,6 +133,7 @@ std::string parse_header(const JsonLine& json, Header& header) {
   header.brushes = parse_brushes(fields);
   parse_optics(fields, header.model);
   parse_model(fields, header.model);
+  parse_picture(fields, header.picture);
   header.title = fields.text("title").value_or("");
   header.author = fields.text("author").value_or("");
   header.recorded_by = fields.text("recorded_by").value_or("");

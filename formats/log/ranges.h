@@ -17,11 +17,15 @@ inline constexpr Range kTwistRange = {-360, 360, "degrees"};
 inline constexpr Range kRadiusRange = {0, 10, "m"};
 inline constexpr Range kAccelerationRange = {-1000, 1000, "m/s^2"};
 inline constexpr Range kDirectionRange = {-1e6, 1e6};
+inline constexpr Range kLampRange = {0, 6};
 inline constexpr Range kIntensityRange = {0, 1e6};
 inline constexpr Range kRadianceRange = {-1e6, 1e6};
 inline constexpr Range kCameraStartRange = {0, 1e6, "s"};
 inline constexpr Range kFovRange = {1, 179, "degrees"};
 
+inline constexpr Range kExposureRange = {-100, 100, "stops"};
+inline constexpr Range kChromaticityRange = {0.01, 0.9};
+inline constexpr Range kTemperatureRange = {1667, 25000, "K"};
 inline constexpr Range kCanvasRange = {0.001, 100, "m"};
 inline constexpr Range kGridRange = {1, 16384, "cells"};
 inline constexpr Range kStepsPerSecondRange = {1, 10000};

@@ -54,9 +54,9 @@ bool same_light(const Lighting& a, const Lighting& b) {
     if (x.width() != y.width() || x.height() != y.height()) return false;
     if (plane_difference("", x.view(), y.view(), 1).differing > 0) return false;
   }
-  return a.lamp.direction == b.lamp.direction && a.lamp.color == b.lamp.color &&
-         a.lamp.intensity == b.lamp.intensity && a.lamp.follows_gravity == b.lamp.follows_gravity &&
-         a.environment.L == b.environment.L && a.reflection.fov_deg == b.reflection.fov_deg &&
+  return a.lamps == b.lamps && a.varnish == b.varnish && a.occlusion == b.occlusion &&
+         a.white_xy == b.white_xy && a.tone == b.tone && a.environment.L == b.environment.L &&
+         a.reflection.fov_deg == b.reflection.fov_deg &&
          a.reflection.mirror == b.reflection.mirror && a.roughness_wet == b.roughness_wet &&
          a.roughness_dry == b.roughness_dry && a.refractive_index == b.refractive_index &&
          a.relief_scale == b.relief_scale && a.exposure_ev == b.exposure_ev;

@@ -14,6 +14,8 @@
 #include "core/optics/kubelka_munk.h"
 #include "core/optics/lighting.h"
 #include "core/optics/microfacet.h"
+#include "core/optics/tone.h"
+#include "tests/reference/horizon.h"
 
 namespace pentimento::reference {
 
@@ -28,7 +30,13 @@ class ShadingReference {
  public:
   ShadingReference(const CanvasState& state, const ChannelBasis& basis, const Model& model,
                    const Lighting& lighting, int width, int height)
-      : s_(state), basis_(basis), model_(model), light_(lighting), width_(width), height_(height) {}
+      : s_(state),
+        basis_(basis),
+        model_(model),
+        light_(lighting),
+        width_(width),
+        height_(height),
+        horizon_(state, lighting) {}
 
   /// By more than it has pixels, and not a whole multiple: cells are shaded, their light averaged.
   bool reduces() const {
@@ -150,14 +158,30 @@ class ShadingReference {
     return out;
   }
 
-  Rgb reflected(const Rgb& r) const {
-    const ReflectionMap& map = light_.reflection;
-    if (map.rgb[0].empty()) {
-      const auto L = sh_radiance(
-          light_.environment,
-          {static_cast<float>(r[0]), static_cast<float>(r[1]), static_cast<float>(r[2])});
-      return {L[0], L[1], L[2]};
+  /// The environment, its bands damped as a rough mirror does.
+  Rgb blurred(const Rgb& r, double roughness) const {
+    ShCoefficients light = light_.environment;
+    for (std::size_t i = 1; i < 9; ++i) {
+      const double band = i < 4 ? 1 : 2;
+      const double damping = std::exp(-band * band * roughness * roughness);
+      for (float& v : light.L[i]) v = static_cast<float>(damping * static_cast<double>(v));
     }
+    const auto L = sh_radiance(
+        light, {static_cast<float>(r[0]), static_cast<float>(r[1]), static_cast<float>(r[2])});
+    return {L[0], L[1], L[2]};
+  }
+
+  Rgb reflected(const Rgb& r, double roughness, double sharp) const {
+    const Rgb around = blurred(r, roughness);
+    if (light_.reflection.rgb[0].empty()) return around;
+    const Rgb seen = in_camera(r);
+    Rgb out{};
+    for (std::size_t c = 0; c < 3; ++c) out[c] = around[c] + (seen[c] - around[c]) * sharp;
+    return out;
+  }
+
+  Rgb in_camera(const Rgb& r) const {
+    const ReflectionMap& map = light_.reflection;
     const int w = map.rgb[0].width(), h = map.rgb[0].height();
     const double focal =
         0.5 * w / std::tan(static_cast<double>(map.fov_deg) * 3.14159265358979 / 360);
@@ -181,38 +205,84 @@ class ShadingReference {
     const auto covered = [](double film_m) { return 1 - std::exp(-std::max(film_m, 0.0) / 1e-4); };
     p.wet = covered(p.depth);
     const double paint = covered(p.depth + bilinear(s_.base_m, u, v) - bilinear(s_.paper_m, u, v));
-    light_up(p, paint);
+    light_up(p, paint, u, v);
     return p;
   }
 
-  void light_up(Pixel& p, double paint) const {
+  void light_up(Pixel& p, double film, double u, double v) const {
     const Rgb& n = p.normal;
-    const double index = static_cast<double>(light_.refractive_index);
+    const double varnish = light_.varnish, index = static_cast<double>(light_.refractive_index);
+    const double paint = film + (1 - film) * varnish, sharp = p.wet + (1 - p.wet) * varnish;
     const double F = paint * fresnel_schlick(n[2], fresnel_normal(index));
     const auto E = sh_irradiance(
         light_.environment,
         {static_cast<float>(n[0]), static_cast<float>(n[1]), static_cast<float>(n[2])});
-    const auto& d = light_.lamp.direction;
-    const double n_l = n[0] * static_cast<double>(d[0]) + n[1] * static_cast<double>(d[1]) +
-                       n[2] * static_cast<double>(d[2]);
-    const Rgb mirror = reflected({2 * n[2] * n[0], 2 * n[2] * n[1], 2 * n[2] * n[2] - 1});
-    const double roughness = static_cast<double>(light_.roughness_dry) * (1 - p.wet) +
-                             static_cast<double>(light_.roughness_wet) * p.wet;
-    const double exposure = std::exp2(static_cast<double>(light_.exposure_ev));
-    const double lobe = paint * gloss(n, roughness, index) * std::max(n_l, 0.0);
+    const double flowed = 1 - (1 - varnish) * std::exp(-std::max(p.depth, 0.0) / 4e-4);
+    const double roughness = static_cast<double>(light_.roughness_dry) * (1 - flowed) +
+                             static_cast<double>(light_.roughness_wet) * flowed;
+    const Rgb mirror =
+        reflected({2 * n[2] * n[0], 2 * n[2] * n[1], 2 * n[2] * n[2] - 1}, roughness, sharp);
+    const double sky = horizon_.sky_seen(u, v);
     for (std::size_t c = 0; c < 3; ++c) {
-      const double lamp = static_cast<double>(light_.lamp.intensity * light_.lamp.color[c]);
-      p.diffuse[c] = exposure * (1 - F) * p.albedo[c] *
-                     (static_cast<double>(E[c]) / 3.14159265358979 + lamp * std::max(n_l, 0.0));
-      p.specular[c] = exposure * 3.14159265358979 * lamp * lobe;
-      p.reflection[c] = exposure * F * mirror[c];
+      const double R = p.albedo[c];
+      const double walls =
+          ((sky * (2.0404 * R - 0.3324) - 4.7951 * R + 0.6417) * sky + 2.7552 * R + 0.6903) * sky;
+      p.diffuse[c] = (1 - F) * R * E[c] / 3.14159265358979 * std::clamp(walls, sky, 1.0);
+      p.reflection[c] = F * sky * mirror[c];
+    }
+    for (const Lamp& lamp : light_.lamps) add_lamp(p, lamp, paint, roughness, F, u, v);
+    develop(p);
+  }
+
+  void add_lamp(Pixel& p, const Lamp& lamp, double paint, double roughness, double F, double u,
+                double v) const {
+    const auto [l, share] = lamp_from(lamp, u, v, p.height);
+    const double n_l = std::max(p.normal[0] * l[0] + p.normal[1] * l[1] + p.normal[2] * l[2], 0.0);
+    const double index = static_cast<double>(light_.refractive_index);
+    const double lobe = paint * gloss(p.normal, l, roughness, index) * n_l;
+    // Shadows are found at cells' centres, and interpolated like everything else.
+    const double seen = horizon_.lamp_seen(
+        u, v, [&](int x, int y) { return lamp_from(lamp, x, y, surface(x, y)).first; });
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double radiance = share * seen * static_cast<double>(lamp.intensity * lamp.color[c]);
+      p.diffuse[c] += (1 - F) * p.albedo[c] * radiance * n_l;
+      p.specular[c] += 3.14159265358979 * radiance * lobe;
+    }
+  }
+
+  /// Direction to a lamp from a place among the cells, and its light there against the centre's.
+  std::pair<Rgb, double> lamp_from(const Lamp& lamp, double u, double v, double height) const {
+    if (!lamp.position_m) {
+      return {{lamp.direction[0], lamp.direction[1], lamp.direction[2]}, 1};
+    }
+    const CanvasGeometry& g = s_.geometry;
+    const auto [px, py, pz] = *lamp.position_m;
+    const Rgb to = {px - ((u + 0.5) / g.width - 0.5) * g.width_m,
+                    py + ((v + 0.5) / g.height - 0.5) * g.height_m, pz - height};
+    const double range2 = to[0] * to[0] + to[1] * to[1] + to[2] * to[2];
+    const double range = std::sqrt(range2);
+    return {{to[0] / range, to[1] / range, to[2] / range},
+            static_cast<double>(px * px + py * py + pz * pz) / range2};
+  }
+
+  void develop(Pixel& p) const {
+    const auto matrix = white_balance(light_.white_xy);
+    const double exposure = std::exp2(static_cast<double>(light_.exposure_ev));
+    for (Rgb* light : {&p.diffuse, &p.specular, &p.reflection}) {
+      const Rgb was = *light;
+      for (std::size_t c = 0; c < 3; ++c) {
+        (*light)[c] = exposure * (static_cast<double>(matrix[c][0]) * was[0] +
+                                  static_cast<double>(matrix[c][1]) * was[1] +
+                                  static_cast<double>(matrix[c][2]) * was[2]);
+      }
+    }
+    for (std::size_t c = 0; c < 3; ++c) {
       p.picture[c] = p.diffuse[c] + p.specular[c] + p.reflection[c];
     }
   }
 
   /// Torrance-Sparrow towards the viewer, lamp and viewer turned into the frame of n.
-  double gloss(const Rgb& n, double roughness, double index) const {
-    const Rgb l = {light_.lamp.direction[0], light_.lamp.direction[1], light_.lamp.direction[2]};
+  double gloss(const Rgb& n, const Rgb& l, double roughness, double index) const {
     const auto in_frame = [&](const Rgb& w) {
       // Two tangents by Gram-Schmidt from x.
       const double k = 1 / std::sqrt(1 - n[0] * n[0]);
@@ -232,6 +302,7 @@ class ShadingReference {
   const Lighting& light_;
   int width_;
   int height_;
+  HorizonReference horizon_;
 };
 
 }  // namespace pentimento::reference

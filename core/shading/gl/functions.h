@@ -50,6 +50,7 @@
   X(Uniform2fv, PFNGLUNIFORM2FVPROC)                         \
   X(Uniform3fv, PFNGLUNIFORM3FVPROC)                         \
   X(Uniform4fv, PFNGLUNIFORM4FVPROC)                         \
+  X(UniformMatrix3fv, PFNGLUNIFORMMATRIX3FVPROC)             \
   X(UseProgram, PFNGLUSEPROGRAMPROC)                         \
   X(Viewport, PFNGLVIEWPORTPROC)
 

@@ -148,6 +148,9 @@ void GlProgram::set_vec3(const char* name, const float* xyz, int count) const {
 void GlProgram::set_vec4(const char* name, const float* xyzw, int count) const {
   gl_->Uniform4fv(location(name), count, xyzw);
 }
+void GlProgram::set_mat3(const char* name, const float* rows) const {
+  gl_->UniformMatrix3fv(location(name), 1, GL_TRUE, rows);
+}
 void GlProgram::set_floats(const char* name, const float* values, int count) const {
   gl_->Uniform1fv(location(name), count, values);
 }

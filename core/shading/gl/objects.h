@@ -49,6 +49,7 @@ class GlTargets {
   GlTargets& operator=(const GlTargets&) = delete;
 
   bool complete() const { return complete_; }
+  const GlTexture& texture(int index) const { return textures_[static_cast<std::size_t>(index)]; }
   /// Draws one triangle over `width` x `height` pixels with the program in use.
   void draw(int width, int height);
   /// Reads `width` x `height` RGBA texels of target `index`, row 0 first.
@@ -77,6 +78,8 @@ class GlProgram {
   void set_vec2(const char* name, const float* xy) const;
   void set_vec3(const char* name, const float* xyz, int count = 1) const;
   void set_vec4(const char* name, const float* xyzw, int count) const;
+  /// `rows`: nine values, row by row.
+  void set_mat3(const char* name, const float* rows) const;
   void set_floats(const char* name, const float* values, int count) const;
 
  private:

@@ -1,8 +1,6 @@
 // What falls on the surface and what its interface sends back (R29, R32-R34). The viewer looks
-// along -z, so v = (0,0,1).
+// along -z, so v = (0,0,1). Lamps: lamps.glsl.
 uniform vec3 environment[9];   // radiance coefficients L00 L1-1 L10 L11 L2-2 L2-1 L20 L21 L22
-uniform vec3 lamp_direction;   // towards the lamp
-uniform vec3 lamp_radiance;    // irradiance at normal incidence / pi
 uniform float refractive_index;
 uniform float normal_reflectance;  // Fresnel at normal incidence
 #if REFLECTION_MAP
@@ -28,14 +26,24 @@ vec3 harmonics(vec3 d, float first, float second, float third) {
 // Irradiance / pi (Ramamoorthi and Hanrahan 2001).
 vec3 ambient(vec3 n) { return harmonics(n, 1.0, 2.0 / 3.0, 0.25); }
 
-// Radiance that comes from direction r. Pinhole camera looking along +z; beyond its edges, and for
-// rays that never meet its picture, the edge.
-vec3 reflected(vec3 r) {
+// Radiance that comes from about direction r, as a rough surface mirrors it: facets of slope a damp
+// band l by exp(-(a l)^2) (Ramamoorthi and Hanrahan 2002, 3.3).
+vec3 blurred(vec3 r, float roughness) {
+  float damping = exp(-roughness * roughness);
+  float squared = damping * damping;
+  return harmonics(r, 1.0, damping, squared * squared);
+}
+
+// Radiance from direction r. `sharp`: share that is seen sharply, in the camera's picture if there
+// is one. Pinhole camera looking along +z; beyond its edges, and for rays that never meet its
+// picture, the edge.
+vec3 reflected(vec3 r, float roughness, float sharp) {
 #if REFLECTION_MAP
   vec2 tangent = r.xy / max(r.z, 1e-3);
-  return texture(reflection_map, 0.5 + tangent * reflection_scale).rgb;
+  vec3 seen = texture(reflection_map, 0.5 + tangent * reflection_scale).rgb;
+  return mix(blurred(r, roughness), seen, sharp);
 #else
-  return harmonics(r, 1.0, 1.0, 1.0);
+  return blurred(r, roughness);
 #endif
 }
 
@@ -55,13 +63,13 @@ float fresnel(float cosine) {
 
 // Torrance-Sparrow with Beckmann's facets and V-grooves, times n.l: what a lamp of irradiance 1
 // sends to the viewer.
-float lobe(vec3 n, float roughness) {
-  float n_l = dot(n, lamp_direction), n_v = n.z;
+float lobe(vec3 n, vec3 l, float roughness) {
+  float n_l = dot(n, l), n_v = n.z;
   if (n_l <= 0.0) return 0.0;
-  vec3 between = lamp_direction + vec3(0.0, 0.0, 1.0);
-  float size = sqrt(dot(between, between));
+  vec3 halfway = l + vec3(0.0, 0.0, 1.0);
+  float size = sqrt(dot(halfway, halfway));
   if (size < 1e-3) return 0.0;
-  float n_h = dot(n, between) / size, v_h = 0.5 * size;
+  float n_h = dot(n, halfway) / size, v_h = 0.5 * size;
   float c2 = n_h * n_h, a2 = roughness * roughness;
   float density = exp((c2 - 1.0) / (c2 * a2)) / (kPi * a2 * c2 * c2);
   float grooves = min(1.0, 2.0 * n_h * min(n_v, n_l) / v_h);

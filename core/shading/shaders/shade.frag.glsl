@@ -2,7 +2,15 @@
 // reflects (R33, A32): (1-F) R E/pi + Torrance-Sparrow + F reflection.
 uniform float roughness_dry;
 uniform float roughness_wet;
-uniform float exposure;  // factor on all light
+uniform float varnish;   // share of a smooth clear coat
+uniform mat3 exposure;   // of all light: factor and white balance
+#if OCCLUSION_PLANES > 0
+uniform float occlusion;  // strength
+uniform sampler2D seen_first;
+#if OCCLUSION_PLANES > 1
+uniform sampler2D seen_second;
+#endif
+#endif
 
 layout(location = 0) out vec4 picture_and_wet;
 #ifdef ALBEDO_TARGET
@@ -34,14 +42,58 @@ struct Shaded {
 // the canvas's threads stand out.
 float covered(float film_m) { return 1.0 - exp(-max(film_m, 0.0) * 1e4); }
 
-void light_up(inout Shaded s, float gloss) {
+// How far wet paint of this depth has flowed smooth: a thin film still has the shape of the threads
+// and of the paint that it lies on.
+float smooth_share(float film_m) { return 1.0 - exp(-max(film_m, 0.0) * 2.5e3); }
+
+// Shares of the sky and of the lamps that the relief leaves: horizon.frag.glsl.
+struct Seen {
+  float sky;
+  float lamp[LAMPS + 1];
+};
+
+Seen seen_at(Place p) {
+  Seen seen;
+  seen.sky = 1.0;
+  for (int i = 0; i < LAMPS + 1; ++i) seen.lamp[i] = 1.0;
+#if OCCLUSION_PLANES > 0
+  vec4 first = mix(vec4(1.0), read(seen_first, p), occlusion);
+  seen.sky = first.r;
+  for (int i = 0; i < min(LAMPS, 3); ++i) seen.lamp[i] = first[i + 1];
+#endif
+#if OCCLUSION_PLANES > 1
+  vec4 second = mix(vec4(1.0), read(seen_second, p), occlusion);
+  for (int i = 3; i < LAMPS; ++i) seen.lamp[i] = second[i - 3];
+#endif
+  return seen;
+}
+
+// Light that the walls of a furrow throw back into it, in their own colour: the cubic of Jimenez,
+// Wu, Pesce and Jarabo 2016.
+vec3 with_walls(float sky, vec3 albedo) {
+  vec3 a = 2.0404 * albedo - 0.3324, b = -4.7951 * albedo + 0.6417, c = 2.7552 * albedo + 0.6903;
+  return clamp(((sky * a + b) * sky + c) * sky, sky, 1.0);
+}
+
+void light_up(inout Shaded s, vec3 point, Seen seen, float paint) {
   vec3 n = s.normal;
+  float gloss = mix(paint, 1.0, varnish), sharp = mix(s.wet, 1.0, varnish);
+  float roughness = mix(roughness_dry, roughness_wet, mix(smooth_share(s.depth), 1.0, varnish));
   float F = gloss * schlick(n.z);
-  float incidence = max(dot(n, lamp_direction), 0.0);
-  float roughness = mix(roughness_dry, roughness_wet, s.wet);
-  s.diffuse = (1.0 - F) * s.albedo * (ambient(n) + lamp_radiance * incidence) * exposure;
-  s.specular = gloss * kPi * lobe(n, roughness) * lamp_radiance * exposure;
-  s.reflection = F * reflected(2.0 * n.z * n - vec3(0.0, 0.0, 1.0)) * exposure;
+  vec3 light = ambient(n) * with_walls(seen.sky, s.albedo);
+  s.specular = vec3(0.0);
+#if LAMPS > 0
+  for (int i = 0; i < LAMPS; ++i) {
+    Lit lamp = lamp_at(i, point);
+    vec3 radiance = lamp.radiance * seen.lamp[i];
+    light += radiance * max(dot(n, lamp.direction), 0.0);
+    s.specular += radiance * lobe(n, lamp.direction, roughness);
+  }
+#endif
+  s.diffuse = exposure * ((1.0 - F) * s.albedo * light);
+  s.specular = exposure * (gloss * kPi * s.specular);
+  vec3 mirrored = 2.0 * n.z * n - vec3(0.0, 0.0, 1.0);
+  s.reflection = exposure * (F * seen.sky * reflected(mirrored, roughness, sharp));
 }
 
 Shaded shaded_at(ivec2 sample_index) {
@@ -59,7 +111,8 @@ Shaded shaded_at(ivec2 sample_index) {
     s.pigment[i] = vec4(0.0);
     for (int k = 0; k < LAYERS; ++k) s.pigment[i] += paint.amount[k * PLANES + i];
   }
-  light_up(s, covered(read(relief, place).g));
+  light_up(s, point_at(place.cell, place.fraction, s.height), seen_at(place),
+           covered(paint_m(place)));
   return s;
 }
 

@@ -6,6 +6,7 @@ uniform sampler2D ground;         // dry reflectance RGB, depth of wet paint (m)
 uniform sampler2D relief;         // height (m), thickness of all paint, dry and wet (m)
 uniform sampler2DArray amounts;   // four channels a texel; PLANES texels a layer
 uniform vec2 relief_per_cell;     // relief scale / cell size (1/m)
+uniform int relief_border;        // cells of the relief's window around that of the others
 
 struct Place {
   ivec2 cell;
@@ -17,6 +18,8 @@ Place place_at(ivec2 sample_index) {
   vec2 row = texelFetch(rows, ivec2(sample_index.y, 0), 0).rg;
   return Place(ivec2(int(column.r), int(row.r)), vec2(column.g, row.g));
 }
+
+vec2 relief_of(ivec2 cell) { return texelFetch(relief, cell + relief_border, 0).rg; }
 
 #if INTERPOLATE
 vec4 between(vec4 a, vec4 b, vec4 c, vec4 d, vec2 f) {
@@ -35,7 +38,14 @@ vec4 read_layer(sampler2DArray stack, int layer, Place p) {
                  texelFetch(stack, at + ivec3(0, 1, 0), 0),
                  texelFetch(stack, at + ivec3(1, 1, 0), 0), p.fraction);
 }
+float paint_m(Place p) {
+  return between(vec4(relief_of(p.cell).g), vec4(relief_of(p.cell + ivec2(1, 0)).g),
+                 vec4(relief_of(p.cell + ivec2(0, 1)).g), vec4(relief_of(p.cell + ivec2(1, 1)).g),
+                 p.fraction)
+      .r;
+}
 #else
+float paint_m(Place p) { return relief_of(p.cell).g; }
 vec4 read(sampler2D plane, Place p) { return texelFetch(plane, p.cell, 0); }
 vec4 read_layer(sampler2DArray stack, int layer, Place p) {
   return texelFetch(stack, ivec3(p.cell, layer), 0);
@@ -47,9 +57,7 @@ struct Relief {
   vec2 slope;  // dh/dx to the right, dh/dy down; per metre, times the relief scale
 };
 
-float height_at(Place p, int x, int y) {
-  return texelFetch(relief, p.cell + ivec2(x, y), 0).r;
-}
+float height_at(Place p, int x, int y) { return relief_of(p.cell + ivec2(x, y)).r; }
 
 #if INTERPOLATE
 // Catmull-Rom weights of cells -1, 0, 1, 2 and their derivatives: at a cell they are the value and

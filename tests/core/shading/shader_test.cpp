@@ -126,8 +126,8 @@ Scene random_scene(std::uint32_t seed) {
     }
   }
   const float tilt = 1.4f * uniform(), turn = 6.28f * uniform();
-  scene.lighting.lamp.direction = {std::sin(tilt) * std::cos(turn), std::sin(tilt) * std::sin(turn),
-                                   std::cos(tilt)};
+  scene.lighting.lamps[0].direction = {std::sin(tilt) * std::cos(turn),
+                                       std::sin(tilt) * std::sin(turn), std::cos(tilt)};
   return scene;
 }
 
@@ -318,7 +318,7 @@ TEST(Shader, AWhiteFurnaceSendsBackNoMoreThanItGets) {
   const auto shader = open();
   Scene scene;
   for (Field<float>& band : scene.state.reflectance) band.fill(1);
-  scene.lighting.lamp.intensity = 0;
+  scene.lighting.lamps[0].intensity = 0;
   scene.lighting.environment = {};
   scene.lighting.environment.L[0].fill(3.5449077f);  // radiance 1 all around
   const WholePicture p = scene.shade(*shader, request(64, 48));

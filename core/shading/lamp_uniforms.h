@@ -1,0 +1,21 @@
+#pragma once
+// What shaders/lamps.glsl is given.
+
+#include <vector>
+
+#include "core/canvas_state.h"
+#include "core/optics/lighting.h"
+#include "core/shading/gl/objects.h"
+
+namespace pentimento {
+
+/// The lamps that give light.
+std::vector<Lamp> shining(const Lighting& lighting);
+
+/// Sets the uniforms of shining lamps and of where cells lie, but for the tile's first cell.
+void set_lamp_uniforms(const GlProgram& program, const CanvasGeometry& grid,
+                       const Lighting& lighting);
+/// Of the tile whose window begins with this cell.
+void set_first_cell(const GlProgram& program, int x, int y);
+
+}  // namespace pentimento
