@@ -6,6 +6,7 @@
 
 #include "cli/command.h"
 #include "cli/picture_options.h"
+#include "cli/range.h"
 #include "cli/talk.h"
 #include "replay/relight.h"
 
@@ -16,7 +17,8 @@ constexpr const char* kAbout =
     "Shade a state dump again: other light, no simulation.\n\n"
     "Examples:\n"
     "  pentimento relight state.h5 -o evening.png --light=-1,0.2,0.3\n"
-    "  pentimento relight state.h5 -o studio.exr --environment studio.hdr --exposure 0.5";
+    "  pentimento relight state.h5 -o studio.exr --environment studio.hdr --exposure 0.5\n"
+    "  pentimento relight state.h5 -o frame-%04d.png --light-path orbit --frames 48";
 
 struct Options {
   RelightJob job;
@@ -41,6 +43,12 @@ int run_relight(const Arguments& arguments) {
   Options o;
   CLI::App app(kAbout, "pentimento relight");
   app.add_option("state", o.job.state, "a state dump (.h5)")->required();
+  app.add_option("--light-path", o.job.light_path,
+                 "the lamp moves from frame to frame: orbit, or a file of points X Y Z")
+      ->type_name("orbit|FILE");
+  app.add_option("--frames", o.job.frames, "of the light's path; the name needs %d or %04d")
+      ->check(in_range(1, 100000))
+      ->type_name("N");
   o.picture.add_to(app);
   app.add_option("--palette", o.job.palette,
                  "other paints: a file with a `palette`, or NAME=PAINT,... (library or #rrggbb)")

@@ -38,6 +38,24 @@ Result<std::array<int, 4>> parse_crop(const std::string& text) {
   }
   return crop;
 }
+bool is_exr(const std::string& path) {
+  std::string end = path.size() < 4 ? "" : path.substr(path.size() - 4);
+  std::transform(end.begin(), end.end(), end.begin(), [](unsigned char c) {
+    return static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+  });
+  return end == ".exr";
+}
+
+/// What only an EXR can hold is not asked for without one.
+Result<void> check_exr_options(const PictureChoice& choice) {
+  if (choice.outputs.empty() || std::any_of(choice.outputs.begin(), choice.outputs.end(), is_exr)) {
+    return {};
+  }
+  if (!choice.aovs.empty()) return Error{ErrorCode::kUsage, "--aov needs an -o FILE.exr"};
+  if (choice.full_float) return Error{ErrorCode::kUsage, "--float needs an -o FILE.exr"};
+  return {};
+}
+
 /// `dir:X,Y,Z`, `pos:X,Y,Z`, and after it the intensity, and after that the colour.
 Result<Lamp> parse_lamp(const std::string& text) {
   const Error bad = {
@@ -151,6 +169,7 @@ Result<PictureChoice> PictureOptions::picture() const {
   choice.aovs = split(aov);
   choice.tile = tile;
   choice.no_clobber = no_clobber;
+  if (Result<void> useful = check_exr_options(choice); !useful) return useful.error();
   choice.backend = backend == "osmesa" ? GlBackend::kOsmesa
                    : backend == "egl"  ? GlBackend::kEgl
                                        : GlBackend::kAuto;

@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <deque>
 #include <utility>
 
 #include "formats/exr/exr_writer.h"
 #include "formats/io/output_file.h"
 #include "formats/png/png_writer.h"
+#include "replay/tone_sink.h"
 
 namespace pentimento {
 
@@ -16,6 +18,7 @@ struct OutputSet::Pending {
   WrittenFile file;
   std::unique_ptr<PictureFile> picture;  // one of the two
   std::unique_ptr<OutputFile> state;
+  bool for_display = false;
 
   Result<void> publish() {
     if (picture) return picture->publish();
@@ -92,7 +95,10 @@ Result<void> OutputSet::create(const PlannedOutput& output, const Scene& scene,
                                     channels, provenance, settings_.threads, choice.no_clobber});
   }();
   if (!file) return file.error();
-  pending_.push_back({{output.path, size->width, size->height, {}}, std::move(*file), {}});
+  pending_.push_back({{output.path, size->width, size->height, {}},
+                      std::move(*file),
+                      {},
+                      output.kind == OutputKind::kPng});
   return {};
 }
 
@@ -130,10 +136,14 @@ Result<void> OutputSet::shade(const Scene& scene, std::size_t first_file) {
   }
   request.tile = choice.tile;
   request.aovs = choice.aovs;
+  std::deque<ToneSink> toned;  // their addresses stay
   std::vector<WatchedSink> watched;
   std::vector<PictureSink*> sinks;
   for (std::size_t i = first_file; i < pending_.size(); ++i) {
-    watched.emplace_back(*pending_[i].picture, rows, settings_.control);
+    const Pending& pending = pending_[i];
+    toned.emplace_back(*pending.picture,
+                       pending.for_display ? scene.lighting.tone : ToneCurve::kNone);
+    watched.emplace_back(toned.back(), rows, settings_.control);
   }
   for (WatchedSink& sink : watched) sinks.push_back(&sink);
   return shader_->shade(scene.canvas, scene.basis, scene.model, scene.lighting, request, sinks);
@@ -151,7 +161,7 @@ Result<void> OutputSet::add_states(const std::vector<PlannedOutput>& outputs, co
     Result<std::unique_ptr<OutputFile>> file = complete_state(output.path, dump, options);
     if (!file) return file.error();
     const CanvasGeometry& grid = dump.fine ? dump.fine->geometry() : dump.state.geometry;
-    pending_.push_back({{output.path, grid.width, grid.height, {}}, {}, std::move(*file)});
+    pending_.push_back({{output.path, grid.width, grid.height, {}}, {}, std::move(*file), false});
   }
   return {};
 }

@@ -10,6 +10,7 @@
 #include "replay/effective.h"
 #include "replay/exchange_pigments.h"
 #include "replay/light_override.h"
+#include "replay/light_path.h"
 #include "replay/output_plan.h"
 #include "replay/output_set.h"
 #include "replay/stopwatch.h"
@@ -47,6 +48,37 @@ Result<void> look_otherwise(const RelightJob& job, StateDump& dump) {
   return exchange_pigments(*exchanges, dump);
 }
 
+/// One picture of the light's path; without a path there is one frame.
+struct Frame {
+  Lamp lamp;
+  std::vector<PlannedOutput> outputs;
+};
+
+Result<std::vector<Frame>> plan_frames(const RelightJob& job, const Lamp& lamp) {
+  if (job.light_path.empty()) {
+    if (job.frames > 0) return Error{ErrorCode::kUsage, "--frames goes with --light-path"};
+    Result<std::vector<PlannedOutput>> outputs = plan_pictures(job.picture);
+    if (!outputs) return outputs.error();
+    return std::vector<Frame>{{lamp, std::move(*outputs)}};
+  }
+  Result<std::vector<std::array<float, 3>>> places = light_path(job.light_path, job.frames, lamp);
+  if (!places) return places.error();
+  std::vector<Frame> frames;
+  for (const std::array<float, 3>& place : *places) {
+    PictureChoice picture;
+    for (const std::string& pattern : job.picture.outputs) {
+      Result<std::string> name = frame_name(pattern, static_cast<int>(frames.size()));
+      if (!name) return name.error();
+      picture.outputs.push_back(std::move(*name));
+    }
+    Result<std::vector<PlannedOutput>> outputs = plan_pictures(picture);
+    if (!outputs) return outputs.error();
+    Frame& frame = frames.emplace_back(Frame{lamp, std::move(*outputs)});
+    (lamp.position_m ? *frame.lamp.position_m : frame.lamp.direction) = place;
+  }
+  return frames;
+}
+
 Origin origin_of(const StateDump& dump, const RelightJob& job) {
   Origin origin;
   origin.log_sha256 = dump.log_sha256;
@@ -79,8 +111,6 @@ Result<JobReport> relight(const RelightJob& job, const Control& control) {
   if (job.light.follow_gravity) {
     return Error{ErrorCode::kUsage, "--light gravity: a state dump does not know the gravity"};
   }
-  Result<std::vector<PlannedOutput>> outputs = plan_pictures(job.picture);
-  if (!outputs) return outputs.error();
   Result<StateDump> dump = read_state(job.state);
   if (!dump) return dump.error();
   Result<LightOverride> light = LightOverride::make(job.light);
@@ -95,9 +125,13 @@ Result<JobReport> relight(const RelightJob& job, const Control& control) {
   const Threads threads(job.threads);
   const OutputSettings settings{job.picture, *size, threads.count(), control};
   OutputSet set(settings, watch);
+  Result<std::vector<Frame>> frames = plan_frames(job, dump->lighting.lamps.front());
+  if (!frames) return frames.error();
   const Scene scene{canvas, dump->basis, dump->model, dump->lighting};
-  if (Result<void> added = set.add_pictures(*outputs, scene, origin_of(*dump, job)); !added) {
-    return added.error();
+  for (const Frame& frame : *frames) {
+    dump->lighting.lamps.front() = frame.lamp;
+    Result<void> added = set.add_pictures(frame.outputs, scene, origin_of(*dump, job));
+    if (!added) return added.error();
   }
   watch.start("publish");
   Result<std::vector<WrittenFile>> written = set.publish();

@@ -115,10 +115,10 @@ std::string header_json(const Header& header) {
   for (const PigmentSpec& pigment : header.palette) palette.push_back(pigment_json(pigment));
   for (const BrushSpec& brush : header.brushes) brushes.push_back(brush_json(brush));
   if (!palette.empty()) json.raw("palette", json_array(palette));
-  if (!brushes.empty()) json.raw("brushes", json_array(brushes));
-  json.raw("model", model_json(header.model));
   const std::string picture = picture_json(header.picture);
   if (picture != "{}") json.raw("picture", picture);
+  if (!brushes.empty()) json.raw("brushes", json_array(brushes));
+  json.raw("model", model_json(header.model));
   add_text(json, "title", header.title);
   add_text(json, "author", header.author);
   add_text(json, "recorded_by", header.recorded_by);

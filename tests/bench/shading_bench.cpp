@@ -75,6 +75,53 @@ void shade_bands(benchmark::State& state) {
   shade_canvas(state, 1024, painted_canvas(static_cast<int>(state.range(1)), 1024));
 }
 
+/// What each part of the light costs, cell by cell at 1024 x 768. Arguments: Mesa's threads; 0
+/// nothing but the room, 1 and one lamp, 2 and occlusion with it, 3 and the camera's picture,
+/// varnish and white balance, 4 everything with seven lamps, near and far.
+void shade_feature(benchmark::State& state) {
+  auto shader = Shader::open(GlBackend::kAuto, static_cast<int>(state.range(0)));
+  if (!shader) {
+    state.SkipWithError(shader.error().message.c_str());
+    return;
+  }
+  const int features = static_cast<int>(state.range(1));
+  Lighting light;
+  if (features == 0) light.lamps[0].intensity = 0;
+  light.occlusion = features >= 2 ? 1 : 0;
+  if (features >= 3) {
+    for (Field<float>& plane : light.reflection.rgb) {
+      plane = Field<float>(640, 360);
+      plane.fill(0.4f);
+    }
+    light.varnish = 0.5f;
+    light.white_xy = {0.38f, 0.38f};
+  }
+  for (int i = 1; features >= 4 && i < kMostLamps; ++i) {
+    Lamp lamp;
+    if (i % 2 == 1) lamp.position_m = {0.03f * static_cast<float>(i), 0.1f, 0.3f};
+    light.lamps.push_back(lamp);
+  }
+  ShadeRequest request;
+  request.width = 1024;
+  request.height = 768;
+  const ChannelBasis basis = palette_channels(painted::palette());
+  const CanvasState canvas = painted::scene(basis, 1024, 768);
+  Drop drop;
+  const auto picture = [&] {
+    auto done = (*shader)->shade(StateSource(canvas), basis, Model{}, light, request, {&drop});
+    if (!done) state.SkipWithError(done.error().message.c_str());
+  };
+  picture();
+  for (auto _ : state) picture();
+}
+
+BENCHMARK(shade_feature)
+    ->ArgNames({"gl_threads", "features"})
+    ->ArgsProduct({{1, 2}, {0, 1, 2, 3, 4}})
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
+
 BENCHMARK(shade)
     ->ArgNames({"gl_threads", "picture", "grid"})
     ->ArgsProduct({{0, 1, 2}, {1024, 2048}, {1024, 2048}})

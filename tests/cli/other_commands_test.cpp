@@ -102,6 +102,49 @@ TEST(CommandRelight, ALightOfAnotherColourFallsOnSpectralPaintOnly) {
   EXPECT_NE(ran.err.find("its optics are bands at"), std::string::npos) << ran.err;
 }
 
+TEST(CommandRelight, WithEverythingTheLightCanDoItIsTheRender) {
+  const Workplace place;
+  const std::string light =
+      " --width 100 --varnish 0.4 --occlusion 0.8 --exposure -0.3 --white-point 4200 "
+      "--tone-curve soft --lamp dir:-1,1,1,0.6 --lamp pos:0.1,0.1,0.2,0.3,1,0.5,0.2 "
+      "--lamp dir:1,0,0.4,0.2";
+  ASSERT_EQ(place.run("render a.jsonl -o a.png -o a.exr -o a.h5 --float" + light).code, 0);
+  ASSERT_EQ(place.run("relight a.h5 -o b.png -o b.exr --float --width 100 --tile 31").code, 0);
+  EXPECT_EQ(place.run("compare a.png b.png").code, 0);
+  EXPECT_EQ(place.run("compare a.exr b.exr").code, 0);
+  ASSERT_EQ(place.run("relight a.h5 -o c.png -o c.exr --float --width 100 --tone-curve none").code,
+            0);
+  EXPECT_EQ(place.run("compare a.exr c.exr").code, 0);  // EXR stays linear
+  EXPECT_EQ(place.run("compare a.png c.png").code, 1);
+}
+
+TEST(CommandRelight, ALightPathIsAFrameAPoint) {
+  const Workplace place;
+  ASSERT_EQ(place.run("render a.jsonl -o a.png -o a.h5").code, 0);
+  const Ran ran = place.run("relight a.h5 -o f-%02d.png --light-path orbit --frames 3");
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  EXPECT_EQ(place.run("compare a.png f-00.png").code, 0);
+  EXPECT_EQ(place.run("compare f-01.png f-02.png").code, 1);
+  EXPECT_EQ(place.run("relight a.h5 -o f.png --light-path orbit --frames 3").code, 2);
+  EXPECT_EQ(place.run("relight a.h5 -o f-%d.png --light-path orbit").code, 2);
+  EXPECT_EQ(place.run("relight a.h5 -o f.png --frames 3").code, 2);
+}
+
+TEST(CommandRender, WhatOnlyAnExrHoldsNeedsOne) {
+  const Workplace place;
+  EXPECT_EQ(place.run("render a.jsonl -o a.png --aov height").code, 2);
+  EXPECT_EQ(place.run("render a.jsonl -o a.png --float").code, 2);
+  EXPECT_FALSE(place.has("a.png"));
+}
+
+TEST(CommandRender, ALampIsRefusedWhereItSaysNothing) {
+  const Workplace place;
+  for (const char* lamp : {"1,1,1", "dir:1,1", "dir:0,0,0", "pos:1,1,1,-2", "dir:1,1,1,1,1"})
+    EXPECT_EQ(place.run(std::string("render a.jsonl -o a.png --lamp ").append(lamp)).code, 2);
+  EXPECT_EQ(place.run("render a.jsonl -o a.png --tone-curve hard").code, 2);
+  EXPECT_EQ(place.run("render a.jsonl -o a.png --white-point 300").code, 2);
+}
+
 TEST(CommandCompare, ThresholdsDecide) {
   const Workplace place;
   ASSERT_EQ(place.run("render a.jsonl -o a.png").code, 0);

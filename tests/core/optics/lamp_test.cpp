@@ -33,6 +33,14 @@ TEST(LampDirection, OfALampStraightAboveIsTheNormalisedGravity) {
   expect_direction(lamp_direction(following({0, 0, 1}), {9.81f, 0, 0}), {1, 0, 0});
 }
 
+TEST(LampPosition, TurnsAboutTheCentreAsTheDirectionDoes) {
+  Lamp lamp = following({0, 0, 1});
+  lamp.position_m = {0, 0, 2};
+  expect_direction(lamp_position(lamp, {0, 6, 8}), {0, 1.2f, 1.6f});
+  lamp.follows_gravity = false;
+  expect_direction(lamp_position(lamp, {0, 6, 8}), {0, 0, 2});
+}
+
 TEST(LampDirection, ALampOnTheFarSideGoesBehindTheTabletHeldUpright) {
   expect_direction(lamp_direction(following({0, 1, 0}), {0, 9.81f, 0}), {0, 0, -1});
   expect_direction(lamp_direction(following({1, 0, 0}), {0, 9.81f, 0}), {1, 0, 0});

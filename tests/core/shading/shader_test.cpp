@@ -158,6 +158,100 @@ TEST(Shader, EqualsItsTwinByDepthWithCameraAndExposure) {
             1 / 255.0);
 }
 
+/// Everything that light can do at once: near and far lamps, shadows, varnish, a warm white.
+Scene fully_lit_scene(int width, int height) {
+  Scene scene(width, height);
+  Lamp near, low, dark;
+  near.position_m = {0.1f, -0.06f, 0.08f};
+  near.color = {0.2f, 0.5f, 1.0f};
+  near.intensity = 0.4f;
+  low.direction = {0.96f, 0, 0.28f};
+  dark.intensity = 0;
+  scene.lighting.lamps = {Lamp{}, dark, near, low, near, low};
+  scene.lighting.lamps[4].position_m = {-0.09f, 0.01f, 0.02f};
+  scene.lighting.lamps[5].direction = {0, -0.8f, 0.6f};
+  scene.lighting.varnish = 0.3f;
+  scene.lighting.occlusion = 0.9f;
+  scene.lighting.white_xy = {0.38f, 0.38f};
+  scene.lighting.exposure_ev = -0.7f;
+  return scene;
+}
+
+TEST(Shader, EqualsItsTwinWithSeveralLampsAndVarnish) {
+  const auto shader = open();
+  const Scene scene = fully_lit_scene(64, 48), enlarged = fully_lit_scene(40, 30);
+  EXPECT_LT(difference_to_reference(scene, scene.shade(*shader, request(64, 48, kAllAovs)), 48),
+            kTwin);
+  EXPECT_LT(
+      difference_to_reference(enlarged, enlarged.shade(*shader, request(70, 50, kAllAovs)), 50),
+      kTwin);
+}
+
+TEST(Shader, TilesAreSeamlessWithShadowsAndNearLamps) {
+  const auto shader = open();
+  const Scene scene = fully_lit_scene(300, 225);
+  for (const int width : {100, 300, 470}) {
+    ShadeRequest one = request(width, width * 3 / 4, kAllAovs), many = one;
+    many.tile = 37;
+    EXPECT_EQ(scene.shade(*shader, one).planes, scene.shade(*shader, many).planes) << width;
+  }
+}
+
+TEST(Shader, ARidgeShadesWhatLiesBehindIt) {
+  const auto shader = open();
+  Scene scene;
+  scene.state = make_canvas_state({60, 20, 0.06, 0.02}, 1, 4, 3, 0.5f);
+  for (int y = 0; y < 20; ++y) {
+    for (int x = 28; x < 32; ++x) scene.state.base_m(x, y) = 0.002f;
+  }
+  scene.lighting.environment = {};
+  scene.lighting.lamps[0].direction = {-0.8f, 0, 0.6f};  // 2 mm high: the shadow is 2.7 mm long
+  const WholePicture shaded = scene.shade(*shader, request(60, 20));
+  scene.lighting.occlusion = 0;
+  const WholePicture open_sky = scene.shade(*shader, request(60, 20));
+  EXPECT_LT(shaded.at("G", 33, 10), 0.2f * open_sky.at("G", 33, 10));
+  EXPECT_EQ(shaded.at("G", 45, 10), open_sky.at("G", 45, 10));
+  EXPECT_EQ(shaded.at("G", 20, 10), open_sky.at("G", 20, 10));
+}
+
+TEST(Shader, OnAPlaneNothingIsHiddenHoweverItLeans) {
+  const auto shader = open();
+  Scene scene;
+  scene.state = make_canvas_state({40, 40, 0.04, 0.04}, 1, 4, 3, 0.5f);
+  for (int y = 0; y < 40; ++y) {
+    for (int x = 0; x < 40; ++x) scene.state.base_m(x, y) = 0.0003f * static_cast<float>(x);
+  }
+  const WholePicture hidden = scene.shade(*shader, request(40, 40));
+  scene.lighting.occlusion = 0;
+  const WholePicture open_sky = scene.shade(*shader, request(40, 40));
+  // Heights of a centimetre in floats: slopes are exact to 1e-6.
+  EXPECT_NEAR(hidden.at("G", 20, 20), open_sky.at("G", 20, 20), 1e-5f);
+}
+
+TEST(Shader, WetPaintGleamsAndDryPaintIsDullUntilItIsVarnished) {
+  const auto shader = open();
+  const auto brightest = [&](float wet_share, float varnish) {
+    Scene scene;
+    scene.state = make_canvas_state({60, 60, 0.06, 0.06}, 1, 4, 3, 0.1f);
+    for (int y = 0; y < 60; ++y) {
+      for (int x = 0; x < 60; ++x) {  // a round ridge of 4 mm along y
+        const float across = (static_cast<float>(x) - 30) / 12;
+        const float film = 0.004f * std::max(1 - across * across, 0.0f) + 0.001f;
+        scene.state.depth_m(x, y) = film * wet_share;
+        scene.state.base_m(x, y) = film * (1 - wet_share);
+      }
+    }
+    scene.lighting.varnish = varnish;
+    const WholePicture p = scene.shade(*shader, request(60, 60, {"specular"}));
+    float most = 0;
+    for (const float v : p.planes.at("specular.G")) most = std::max(most, v);
+    return most;
+  };
+  const float wet = brightest(1, 0), dry = brightest(0, 0), varnished = brightest(0, 1);
+  EXPECT_GT(wet, 3 * dry);
+  EXPECT_NEAR(varnished, wet, 0.1f * wet);
+}
+
 TEST(Shader, LightAovsSumToThePicture) {
   const auto shader = open();
   const Scene scene;

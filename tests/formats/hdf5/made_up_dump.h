@@ -28,11 +28,20 @@ inline std::vector<Pigment> made_up_palette(int pigments) {
 
 inline Lighting made_up_lighting() {
   Lighting light;
-  light.lamp.intensity = 1.7f;
-  light.lamp.color = {1.0f, 0.9f, 0.8f};
-  light.lamp.follows_gravity = true;
+  light.lamps[0].intensity = 1.7f;
+  light.lamps[0].color = {1.0f, 0.9f, 0.8f};
+  light.lamps[0].follows_gravity = true;
   for (std::size_t i = 0; i < 9; ++i)
     light.environment.L[i] = {0.1f * static_cast<float>(i), 0.3f, -0.02f};
+  light.lamps[0].position_m = {0.1f, -0.2f, 0.9f};
+  Lamp second;
+  second.direction = {0, 0.6f, 0.8f};
+  second.intensity = 0.3f;
+  light.lamps.push_back(second);
+  light.varnish = 0.25f;
+  light.occlusion = 0.5f;
+  light.white_xy = {0.35f, 0.36f};
+  light.tone = ToneCurve::kFilmic;
   light.reflection.fov_deg = 71;
   light.reflection.mirror = false;
   std::mt19937 random(5);

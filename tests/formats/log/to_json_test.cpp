@@ -30,6 +30,7 @@ const std::vector<std::string> kEvents = {
     R"({"t":0.3,"type":"redo"})",
     R"({"t":0.3,"type":"light","direction":[0.1,-0.2,1],"intensity":2.5,"color":"#ffeedd"})",
     R"({"t":0.3,"type":"light","follow":"gravity"})",
+    R"({"t":0.3,"type":"light","lamp":2,"position":[0.1,-0.2,1],"intensity":2.5})",
     R"({"t":0.3,"type":"environment","file":"probe.exr"})",
     R"({"t":0.3,"type":"environment","sh":[[1,2,3],[0.1,0.2,0.3],[0,0,0],[0,0,0],[0,0,0],)"
     R"([0,0,0],[0,0,0],[0,0,0],[-1,-2,-3]]})",
@@ -48,6 +49,8 @@ const std::string kFullHeader =
     R"({"name":"w","over_white":"#ffffff","over_black":[0.5,0.5,0.5]},)"
     R"({"name":"ks","K":[0.1,0.2,0.3],"S":[1,2,3]},{"name":"ivory black"},)"
     R"({"name":"s","spectrum":{"wavelength":[400,500,600.5],"K":[1,2,3],"S":[0,1,2]}}],)"
+    R"("picture":{"exposure":-0.5,"varnish":0.25,"occlusion":0.5,"white_point":[0.35,0.36],)"
+    R"("tone_curve":"soft"},)"
     R"("brushes":[{"name":"mop","shape":"round","spacing":0.03,"size_pressure":0.5,)"
     R"("flow_pressure":0.25,"follows_direction":false,"stiffness":0.9,"grip":0.5,"capacity":30,)"
     R"("film":0.75,"absorb":0.125,"bristles":{"count":60,"thickness":0.05,"length_spread":0.5,)"
