@@ -121,8 +121,8 @@ class ShadingReference {
     return spline(column, v - y);
   }
   Rgb normal_at(double u, double v) const {
-    // The surface has continuous slopes, so a difference over a thousandth of a cell finds them.
-    const double e = 1e-3, scale = static_cast<double>(light_.relief_scale);
+    // The surface has continuous slopes, so a difference over a small part of a cell finds them.
+    const double e = 1e-5, scale = static_cast<double>(light_.relief_scale);
     const double sx = scale * (height_at(u + e, v) - height_at(u - e, v)) / (2 * e) /
                       static_cast<double>(s_.geometry.dx_m());
     const double sy = scale * (height_at(u, v + e) - height_at(u, v - e)) / (2 * e) /

@@ -34,8 +34,8 @@ TEST(Tone, NamesLeadBack) {
 TEST(WhiteBalance, MakesItsWhiteNeutralAndLeavesD65Alone) {
   const auto same = white_balance(kD65_xy);
   EXPECT_EQ(same[0], (std::array<float, 3>{1, 0, 0}));
-  // Linear sRGB of CIE illuminant A (x .44758, y .40745) at Y = 1, from the sRGB standard's matrix.
-  const std::array<float, 3> warm = {1.8248f, 0.8538f, 0.0820f};
+  // CIE illuminant A, XYZ (1.0985, 1, 0.3558), times the sRGB standard's matrix by hand.
+  const std::array<float, 3> warm = {1.8452f, 0.8263f, 0.2333f};
   const auto matrix = white_balance({0.44758f, 0.40745f});
   for (const auto& row : matrix) {
     const float v = row[0] * warm[0] + row[1] * warm[1] + row[2] * warm[2];

@@ -236,11 +236,12 @@ TEST(Shader, WetPaintGleamsAndDryPaintIsDullUntilItIsVarnished) {
     for (int y = 0; y < 60; ++y) {
       for (int x = 0; x < 60; ++x) {  // a round ridge of 4 mm along y
         const float across = (static_cast<float>(x) - 30) / 12;
-        const float film = 0.004f * std::max(1 - across * across, 0.0f) + 0.001f;
+        const float film = 0.004f * std::max(1 - across * across, 0.0f) + 0.003f;
         scene.state.depth_m(x, y) = film * wet_share;
         scene.state.base_m(x, y) = film * (1 - wet_share);
       }
     }
+    scene.lighting.lamps[0].direction = {-0.768f, 0, 0.64f};  // across the ridge
     scene.lighting.varnish = varnish;
     const WholePicture p = scene.shade(*shader, request(60, 60, {"specular"}));
     float most = 0;

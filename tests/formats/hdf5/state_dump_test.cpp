@@ -47,10 +47,11 @@ void expect_same_state(const CanvasState& a, const CanvasState& b) {
 }
 
 void expect_same_light(const Lighting& a, const Lighting& b) {
-  EXPECT_EQ(a.lamp.direction, b.lamp.direction);
-  EXPECT_EQ(a.lamp.color, b.lamp.color);
-  EXPECT_EQ(a.lamp.intensity, b.lamp.intensity);
-  EXPECT_EQ(a.lamp.follows_gravity, b.lamp.follows_gravity);
+  EXPECT_EQ(a.lamps, b.lamps);
+  EXPECT_EQ(a.varnish, b.varnish);
+  EXPECT_EQ(a.occlusion, b.occlusion);
+  EXPECT_EQ(a.white_xy, b.white_xy);
+  EXPECT_EQ(a.tone, b.tone);
   EXPECT_EQ(a.environment.L, b.environment.L);
   EXPECT_EQ(a.reflection.fov_deg, b.reflection.fov_deg);
   EXPECT_EQ(a.reflection.mirror, b.reflection.mirror);
