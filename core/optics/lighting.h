@@ -58,7 +58,7 @@ enum class ToneCurve { kNone, kSoft, kFilmic };
 inline constexpr std::array<float, 2> kD65_xy = {0.3127f, 0.3290f};
 
 struct Lighting {
-  std::vector<Lamp> lamps = {Lamp{}};  // 1 to kMostLamps; the first is the lamp
+  std::vector<Lamp> lamps = std::vector<Lamp>(1);  // 1 to kMostLamps; the first is the lamp
   ShCoefficients environment = kStudioEnvironment;
   ReflectionMap reflection;
   float roughness_wet = 0.16f;  // Beckmann a; by eye (docs/optics.md)
