@@ -18,8 +18,8 @@ struct RelightJob {
   LightChoice light;
   std::string palette;                              // --palette; empty: the dump's own
   std::optional<std::string> illuminant, observer;  // in place of the dump's
-  std::string light_path;  // "orbit" or a file; empty: one picture
-  int frames = 0;          // of the path
+  std::string light_path;                           // "orbit" or a file; empty: one picture
+  int frames = 0;                                   // of the path
   PictureChoice picture;
   int threads = 0;
   std::string command;  // without its -o

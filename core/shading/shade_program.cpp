@@ -119,12 +119,15 @@ Result<GlProgram> link_shade_program(const GlFunctions& gl, const ShadeVariant& 
 }
 
 void set_shade_uniforms(const GlProgram& program, const ShadeParameters& p) {
-  const std::pair<const char*, ShadeUnit> samplers[] = {
-      {"columns", kColumns},      {"rows", kRows},
-      {"ground", kGround},        {"relief", kRelief},
-      {"amounts", kAmounts},      {"reflection_map", kReflectionMap},
-      {"seen_first", kSeenFirst}, {"seen_second", kSeenSecond},
-      {"dry", kDry}};
+  const std::pair<const char*, ShadeUnit> samplers[] = {{"columns", kColumns},
+                                                        {"rows", kRows},
+                                                        {"ground", kGround},
+                                                        {"relief", kRelief},
+                                                        {"amounts", kAmounts},
+                                                        {"reflection_map", kReflectionMap},
+                                                        {"seen_first", kSeenFirst},
+                                                        {"seen_second", kSeenSecond},
+                                                        {"dry", kDry}};
   for (const auto& [name, unit] : samplers) program.set(name, static_cast<int>(unit));
   const std::array<float, 2> relief_per_cell = {p.lighting.relief_scale / p.grid.dx_m(),
                                                 p.lighting.relief_scale / p.grid.dy_m()};

@@ -30,7 +30,7 @@ struct StateDump {
   std::string log_sha256;
   std::string state_sha256;  // of `fine` if there is one; reader: as stored, writer: computed
   std::string guide_sha256;  // of `state`; likewise
-  Provenance provenance;  // reader only; the writer takes DumpOptions'
+  Provenance provenance;     // reader only; the writer takes DumpOptions'
 };
 
 struct DumpOptions {

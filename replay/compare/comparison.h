@@ -23,19 +23,20 @@ struct PlaneDifference {
   // Of a canvas against a finer one that was reduced, see fidelity():
   std::optional<double> relative_l2 = std::nullopt;
   std::optional<double> worst_block = std::nullopt;
-  // Whether relative_l2 and worst_block have limits: a single layer of a finer canvas has none, only
-  // the sum over layers is locked where a stroke's edge runs through a cell.
+  // Whether relative_l2 and worst_block have limits: a single layer of a finer canvas has none,
+  // only the sum over layers is locked where a stroke's edge runs through a cell.
   bool locked = true;
 };
 
 /// What is allowed. Nothing set: not a single value may differ.
 struct CompareThresholds {
-  std::optional<double> max = std::nullopt;          // of each plane
-  std::optional<double> rms = std::nullopt;          // of each plane
-  std::optional<double> psnr_db = std::nullopt;      // at least this, of each plane
-  std::optional<double> differing = std::nullopt;    // share of each plane
-  std::optional<double> flip = std::nullopt;         // mean FLIP of pictures
-  std::optional<double> relative_l2 = std::nullopt;  // of each that was reduced: depth, each pigment
+  std::optional<double> max = std::nullopt;        // of each plane
+  std::optional<double> rms = std::nullopt;        // of each plane
+  std::optional<double> psnr_db = std::nullopt;    // at least this, of each plane
+  std::optional<double> differing = std::nullopt;  // share of each plane
+  std::optional<double> flip = std::nullopt;       // mean FLIP of pictures
+  std::optional<double> relative_l2 =
+      std::nullopt;  // of each that was reduced: depth, each pigment
   std::optional<double> worst_block = std::nullopt;  // likewise
   bool any() const {
     return max || rms || psnr_db || differing || flip || relative_l2 || worst_block;
