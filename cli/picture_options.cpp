@@ -123,6 +123,12 @@ void PictureOptions::add_to(CLI::App& app) {
   app.add_option("--bit-depth", bit_depth, "of PNG")
       ->check(CLI::IsMember({8, 16}).description(""))
       ->type_name("8|16");
+  app.add_option("--profile", profile, "colours of the files: srgb, display-p3 or adobe-rgb")
+      ->check(CLI::IsMember({"srgb", "display-p3", "adobe-rgb"}).description(""))
+      ->type_name("NAME");
+  app.add_option("--dither", dither, "noise in PNGs of 8 bit, which hides the steps of gradients")
+      ->check(CLI::IsMember({"on", "off"}).description(""))
+      ->type_name("on|off");
   app.add_flag("--float", full_float, "EXR in full instead of half precision");
   app.add_option("--aov", aov,
                  "extra EXR layers: albedo, normal, height, depth, diffuse, specular, reflection, "
@@ -166,6 +172,8 @@ Result<PictureChoice> PictureOptions::picture() const {
   choice.outputs = outputs;
   choice.bit_depth = bit_depth;
   choice.full_float = full_float;
+  choice.profile = profile_named(profile).value_or(ColorProfile::kSrgb);
+  choice.dither = dither == "on";
   choice.aovs = split(aov);
   choice.tile = tile;
   choice.no_clobber = no_clobber;

@@ -23,6 +23,7 @@ struct PictureOptions {
   std::string print;
   double dpi = 0;
   std::string crop, aov, light, environment, backend = "auto";
+  std::string profile = "srgb", dither = "off";
   std::vector<std::string> lamps;
   std::string white_point, tone_curve;
   std::optional<double> exposure, varnish, occlusion;

@@ -76,7 +76,8 @@ void add_output(const FileDescription& output, JsonObject& json) {
       .add("height", output.height)
       .add("bits", output.bits)
       .add("dpi", output.dpi)
-      .add("samples", output.samples);
+      .add("samples", output.samples)
+      .add("profile", output.profile);
   JsonObject provenance;
   for (const auto& [key, value] : output.provenance) provenance.add(key, value);
   json.add_json("provenance", provenance.text());
@@ -116,6 +117,7 @@ std::string output_text(const FileDescription& output) {
   std::string text =
       fmt::format("{}, {} x {}, {}\n", output.format, output.width, output.height, output.samples);
   if (output.dpi > 0) text += fmt::format("{} dots per inch\n", output.dpi);
+  if (!output.profile.empty()) text += fmt::format("colours: {}\n", output.profile);
   for (const auto& [key, value] : output.provenance) {
     text += fmt::format("{:<24} {}\n", key, value);
   }

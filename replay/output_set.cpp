@@ -34,6 +34,20 @@ bool is_picture(const PlannedOutput& output) {
   return output.kind != OutputKind::kState;
 }
 
+bool dithers(const PictureChoice& choice) {
+  return choice.dither && choice.bit_depth == 8;
+}
+
+/// A crop is dithered as the same part of the whole picture is.
+ColorEncoding color_encoding(const PictureChoice& choice) {
+  ColorEncoding encoding = {choice.profile, dithers(choice)};
+  if (choice.crop) {
+    encoding.left = (*choice.crop)[0];
+    encoding.top = (*choice.crop)[1];
+  }
+  return encoding;
+}
+
 /// Hands strips on and tells how far they are; stops when the job is cancelled.
 class WatchedSink : public PictureSink {
  public:
@@ -83,16 +97,20 @@ Result<void> OutputSet::create(const PlannedOutput& output, const Scene& scene,
   if (!size) return size.error();
   Provenance provenance = provenance_of(origin, settings_.size, output.pattern);
   provenance.emplace_back("shader", shader_->description());
+  provenance.emplace_back("profile", profile_name(choice.profile));
   Result<std::unique_ptr<PictureFile>> file = [&] {
     if (output.kind == OutputKind::kPng) {
-      return create_png(output.path, {size->width, size->height, choice.bit_depth, size->dpi,
-                                      provenance, settings_.threads, choice.no_clobber});
+      provenance.emplace_back("dither", dithers(choice) ? "on" : "off");
+      return create_png(output.path,
+                        {size->width, size->height, choice.bit_depth, size->dpi, provenance,
+                         settings_.threads, choice.no_clobber, color_encoding(choice)});
     }
     std::vector<std::string> channels = {"R", "G", "B"};
     const auto extra = aov_channels(choice.aovs, scene.basis);
     if (extra) channels.insert(channels.end(), extra->begin(), extra->end());
-    return create_exr(output.path, {size->width, size->height, choice.full_float, size->dpi,
-                                    channels, provenance, settings_.threads, choice.no_clobber});
+    return create_exr(
+        output.path, {size->width, size->height, choice.full_float, size->dpi, channels, provenance,
+                      settings_.threads, choice.no_clobber, choice.profile});
   }();
   if (!file) return file.error();
   pending_.push_back({{output.path, size->width, size->height, {}},

@@ -11,6 +11,7 @@
 #include "core/model.h"
 #include "core/optics/lighting.h"
 #include "core/shading/shader.h"
+#include "formats/color/color_profile.h"
 #include "formats/log/reader.h"
 #include "replay/output_size.h"
 #include "replay/stop_points.h"
@@ -32,6 +33,8 @@ struct PictureChoice {
   std::vector<std::string> outputs;  // of -o
   int bit_depth = 8;                 // of PNG: 8 or 16
   bool full_float = false;           // of EXR
+  ColorProfile profile = ColorProfile::kSrgb;
+  bool dither = false;  // of PNG with 8 bit
   std::vector<std::string> aovs;
   std::optional<std::array<int, 4>> crop;  // x, y, width, height in pixels of the whole picture
   int tile = 1024;

@@ -7,6 +7,7 @@
 #include <exception>
 #include <string_view>
 
+#include "formats/exr/chromaticities.h"
 #include "formats/io/describe.h"
 
 namespace pentimento {
@@ -30,6 +31,8 @@ FileDescription describe(const std::string& path) {
   }
   out.samples = (out.bits == 16 ? "half:" : "float:") + names;
   if (Imf::hasXDensity(header)) out.dpi = static_cast<double>(Imf::xDensity(header));
+  if (const auto profile = exr::profile_in(header))
+    out.profile = std::string(profile_title(*profile)) + " primaries";
   for (auto it = header.begin(); it != header.end(); ++it) {
     const auto* text = dynamic_cast<const Imf::StringAttribute*>(&it.attribute());
     if (text == nullptr) continue;

@@ -1,7 +1,6 @@
 #include "formats/exr/exr_writer.h"
 
 #include <ImfChannelList.h>
-#include <ImfChromaticities.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfInputFile.h>
@@ -19,6 +18,8 @@
 #include <exception>
 
 #include "core/threads.h"
+#include "formats/color/converted_file.h"
+#include "formats/exr/chromaticities.h"
 #include "formats/exr/stream.h"
 #include "formats/io/output_file.h"
 #include "formats/io/utf8.h"
@@ -96,7 +97,7 @@ Imf::Header make_header(const ExrOptions& options) {
   if (is_tiled(options)) header.setTileDescription(Imf::TileDescription(kTile, kTile));
   for (const std::string& name : options.channels)
     header.channels().insert(name, Imf::Channel(options.full_float ? Imf::FLOAT : Imf::HALF));
-  Imf::addChromaticities(header, Imf::Chromaticities());  // the default is Rec. 709 with D65
+  Imf::addChromaticities(header, exr::chromaticities_of(options.profile));
   if (options.dpi > 0) Imf::addXDensity(header, static_cast<float>(options.dpi));
   for (const auto& [key, value] : options.provenance) {
     // A key that names one of OpenEXR's own attributes must not change it.
@@ -260,7 +261,8 @@ Result<std::unique_ptr<PictureFile>> create_exr(const std::string& path,
   // OpenEXR's pool serves the whole process; with none of its threads the caller compresses.
   if (threads > 1 && threads > Imf::globalThreadCount()) Imf::setGlobalThreadCount(threads);
   try {
-    return std::unique_ptr<PictureFile>(std::make_unique<ExrFile>(path, std::move(*file), options));
+    return convert_light(std::make_unique<ExrFile>(path, std::move(*file), options),
+                         options.profile, options.channels, options.threads);
   } catch (const std::exception& error) {
     return Error{ErrorCode::kIo, path + ": " + error.what()};
   }

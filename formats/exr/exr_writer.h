@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/result.h"
+#include "formats/color/color_profile.h"
 #include "formats/io/picture_file.h"
 
 namespace pentimento {
@@ -20,6 +21,7 @@ struct ExrOptions {
   Provenance provenance;
   int threads = 1;
   bool no_clobber = false;
+  ColorProfile profile = ColorProfile::kSrgb;  // whose primaries the file's light has
 };
 
 /// Pictures with a longer side are written in tiles of 256 x 256 pixels.

@@ -5,6 +5,7 @@
 
 #include <exception>
 
+#include "formats/exr/chromaticities.h"
 #include "formats/image/decode.h"
 
 namespace pentimento::image {
@@ -45,6 +46,10 @@ Result<Image> decode(const std::string& path, const ImageReadOptions& options) {
   image.format = "exr";
   image.bits = 16;
   image.stored_float = true;
+  if (const auto profile = exr::profile_in(file.header())) {
+    image.profile = *profile;
+    image.profile_title = std::string(profile_title(*profile)) + " primaries";
+  }
   if (const Result<void> added = add_planes(path, file.header().channels(), image); !added)
     return added.error();
   Imf::FrameBuffer buffer;

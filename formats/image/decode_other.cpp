@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <vector>
 
+#include "core/optics/srgb.h"
 #include "formats/image/decode.h"
 #include "formats/image/picture_module.h"
-#include "formats/image/srgb.h"
 
 namespace pentimento::image {
 

@@ -6,9 +6,10 @@
 #include <cstdio>
 #include <cstring>
 #include <memory>
+#include <string_view>
 
 #include "formats/image/decode.h"
-#include "formats/image/srgb.h"
+#include "formats/png/profile_chunk.h"
 
 namespace pentimento::image {
 
@@ -41,8 +42,8 @@ bool read_header(PngReading& in, const ImageLimits& limits) {
   png_init_io(in.png, in.file);
   const auto side = static_cast<png_uint_32>(limits.max_side);
   png_set_user_limits(in.png, side, side);
-  // A profile is not applied, so a doubtful one is no reason to refuse the picture.
-  png_set_keep_unknown_chunks(in.png, PNG_HANDLE_CHUNK_NEVER,
+  // libpng would refuse the picture for a doubtful profile: as an unknown chunk it does not look.
+  png_set_keep_unknown_chunks(in.png, PNG_HANDLE_CHUNK_ALWAYS,
                               reinterpret_cast<png_const_bytep>("iCCP"), 1);
   png_read_info(in.png, in.info);
   return true;
@@ -77,12 +78,28 @@ std::vector<std::string> plane_names(int channels) {
   }
 }
 
+/// What the picture says about its colours.
+void take_profile(const PngReading& in, Image& image) {
+  png_unknown_chunkp chunks = nullptr;
+  const int count = png_get_unknown_chunks(in.png, in.info, &chunks);
+  for (int i = 0; i < count; ++i) {
+    if (std::string_view(reinterpret_cast<const char*>(chunks[i].name), 4) != "iCCP") continue;
+    const IccDescription found = png::describe_iccp({chunks[i].data, chunks[i].size});
+    image.profile_title = found.title;
+    image.profile = found.profile.value_or(ColorProfile::kSrgb);
+    image.unknown_profile = !found.profile;
+    return;
+  }
+  if (png_get_valid(in.png, in.info, PNG_INFO_sRGB) != 0)
+    image.profile_title = profile_title(ColorProfile::kSrgb);
+}
+
 /// Value of each code.
-std::vector<float> code_values(int max_code, bool light) {
+std::vector<float> code_values(int max_code, bool light, ColorProfile profile) {
   std::vector<float> values;
   for (int c = 0; c <= max_code; ++c) {
     const double v = static_cast<double>(c) / max_code;
-    values.push_back(static_cast<float>(light ? srgb_to_linear(v) : v));
+    values.push_back(static_cast<float>(light ? decode_transfer(profile, v) : v));
   }
   return values;
 }
@@ -96,9 +113,11 @@ Image to_image(const PngReading& in, SampleMeaning meaning) {
   image.format = "png";
   image.bits = sample_bytes * 8;
   image.name = plane_names(channels);
+  take_profile(in, image);
   const int max_code = sample_bytes == 1 ? 255 : 65535;
-  const std::vector<float> raw = code_values(max_code, false);
-  const std::vector<float> light = code_values(max_code, meaning == SampleMeaning::kLight);
+  const std::vector<float> raw = code_values(max_code, false, image.profile);
+  const std::vector<float> light =
+      code_values(max_code, meaning == SampleMeaning::kLight, image.profile);
   for (int c = 0; c < channels; ++c) {
     const std::vector<float>& values = image.name[static_cast<std::size_t>(c)] == "A" ? raw : light;
     Field<float>& plane = image.plane.emplace_back(image.width, image.height);

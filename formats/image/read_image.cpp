@@ -7,6 +7,7 @@
 #include <cstring>
 #include <string_view>
 
+#include "formats/color/converted_file.h"
 #include "formats/image/decode.h"
 
 namespace pentimento {
@@ -93,10 +94,26 @@ Result<Image> read_image(const std::string& path, const ImageReadOptions& option
   return other;
 }
 
+void to_rec709(Image& image) {
+  if (image.profile == ColorProfile::kSrgb) return;
+  const Matrix3 m = between(image.profile, ColorProfile::kSrgb);
+  image.profile = ColorProfile::kSrgb;
+  for (const std::array<std::size_t, 3>& rgb : light_channels(image.name))
+    for (int y = 0; y < image.height; ++y)
+      for (int x = 0; x < image.width; ++x) {
+        std::array<double, 3> v{};
+        for (std::size_t i = 0; i < 3; ++i) v[i] = static_cast<double>(image.plane[rgb[i]](x, y));
+        for (std::size_t i = 0; i < 3; ++i)
+          image.plane[rgb[i]](x, y) =
+              static_cast<float>((m[i][0] * v[0] + m[i][1] * v[1]) + m[i][2] * v[2]);
+      }
+}
+
 Result<std::array<Field<float>, 3>> read_rgb(const std::string& path, const ImageLimits& limits) {
   Result<Image> image = read_image(path, {SampleMeaning::kLight, limits});
   if (!image) return image.error();
   if (const Result<void> fine = check_has_colour(*image, path); !fine) return fine.error();
+  to_rec709(*image);
   std::array<Field<float>, 3> rgb;
   const std::array<const char*, 3> names = {"R", "G", "B"};
   for (std::size_t c = 0; c < 3; ++c) {

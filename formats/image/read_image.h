@@ -10,6 +10,7 @@
 
 #include "core/field.h"
 #include "core/result.h"
+#include "formats/color/color_profile.h"
 
 namespace pentimento {
 
@@ -20,7 +21,7 @@ struct ImageLimits {
 
 /// What the samples of integer formats become; float formats are scene-linear and stay as stored.
 enum class SampleMeaning {
-  kLight,  // sRGB decoded to linear light (alpha: stored value)
+  kLight,  // linear light, in the picture's own primaries (alpha: stored value)
   kRaw     // the stored value, 0..1
 };
 
@@ -39,6 +40,11 @@ struct Image {
   std::string format;         // "png", "exr", "hdr", "jpeg", "tiff"
   int bits = 8;               // of a stored sample
   bool stored_float = false;  // half or float samples
+  // Whose primaries (and, of integers, curve) the samples have. Pictures that say nothing, or what
+  // we do not know, are taken for sRGB; `profile_title` is what they say, empty if nothing.
+  ColorProfile profile = ColorProfile::kSrgb;
+  std::string profile_title;
+  bool unknown_profile = false;  // it says one that we do not know
 
   /// nullptr if there is none of that name.
   const Field<float>* find(const std::string& plane_name) const;
@@ -48,8 +54,11 @@ struct Image {
 /// broken one).
 Result<Image> read_image(const std::string& path, const ImageReadOptions& options = {});
 
-/// Red, green and blue in linear light; a grey picture gives three equal planes. Errors: as
-/// read_image; kBadInput for an EXR without R, G, B or Y.
+/// Linear light in the picture's own primaries to that of Rec. 709; nothing to do for most.
+void to_rec709(Image& image);
+
+/// Red, green and blue in linear light, Rec. 709 primaries; a grey picture gives three equal
+/// planes. Errors: as read_image; kBadInput for an EXR without R, G, B or Y.
 Result<std::array<Field<float>, 3>> read_rgb(const std::string& path,
                                              const ImageLimits& limits = {});
 

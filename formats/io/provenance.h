@@ -16,6 +16,7 @@ struct FileDescription {
   int bits = 0;           // per sample; 0 for a state dump
   double dpi = 0;         // 0 = not said
   std::string samples;    // "RGB 8 bit", "half: B G R", "2 layers x 5 channels"
+  std::string profile;    // "Display P3"; of an EXR "Display P3 primaries"; empty = not said
   Provenance provenance;  // in the file's order
 };
 

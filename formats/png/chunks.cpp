@@ -7,6 +7,7 @@
 
 #include "formats/io/deflate.h"
 #include "formats/io/utf8.h"
+#include "formats/png/profile_chunk.h"
 
 namespace pentimento::png {
 
@@ -50,6 +51,12 @@ Bytes density_data(double dpi) {
   return data;
 }
 
+/// sRGB has a chunk of its own; others bring their ICC profile.
+Bytes colour_chunk(ColorProfile profile) {
+  if (profile == ColorProfile::kSrgb) return chunk("sRGB", Bytes{kPerceptual});
+  return chunk("iCCP", iccp_data(profile));
+}
+
 bool key_fits(std::string_view key) {
   return !key.empty() && key.size() <= kLongestKey && is_plain_ascii(key) && key.front() != ' ' &&
          key.back() != ' ' && key.find("  ") == std::string_view::npos &&
@@ -82,11 +89,11 @@ Bytes chunk(std::string_view type, std::span<const std::uint8_t> data) {
   return out;
 }
 
-Result<Bytes> file_head(int width, int height, int bit_depth, double dpi,
+Result<Bytes> file_head(int width, int height, int bit_depth, ColorProfile profile, double dpi,
                         const Provenance& provenance) {
   Bytes out(std::begin(kSignature), std::end(kSignature));
   append(chunk("IHDR", header_data(width, height, bit_depth)), out);
-  append(chunk("sRGB", Bytes{kPerceptual}), out);
+  append(colour_chunk(profile), out);
   if (dpi > 0) append(chunk("pHYs", density_data(dpi)), out);
   for (const auto& [key, value] : provenance) {
     if (!key_fits(key))

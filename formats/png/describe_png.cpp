@@ -6,6 +6,7 @@
 
 #include "formats/io/describe.h"
 #include "formats/png/chunks.h"
+#include "formats/png/profile_chunk.h"
 
 namespace pentimento {
 
@@ -59,6 +60,10 @@ void take_chunk(std::string_view type, const png::Bytes& data, FileDescription& 
         fmt::format("{} {} bit", data[9] < kColours.size() ? kColours[data[9]] : "?", out.bits);
   } else if (type == "pHYs" && data.size() == 9 && data[8] == 1) {
     out.dpi = number(data.data()) * kInch_m;
+  } else if (type == "sRGB") {
+    out.profile = profile_title(ColorProfile::kSrgb);
+  } else if (type == "iCCP") {
+    out.profile = png::describe_iccp(data).title;
   } else if (type == "tEXt" || type == "iTXt") {
     add_text(type, {reinterpret_cast<const char*>(data.data()), data.size()}, out.provenance);
   }

@@ -3,11 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 
 #include "core/threads.h"
-#include "formats/image/srgb.h"
 #include "formats/io/deflate.h"
 #include "formats/io/output_file.h"
 #include "formats/png/chunks.h"
@@ -44,7 +42,7 @@ class PngFile final : public PictureFile {
         row_bytes_(static_cast<std::size_t>(options.width) * kChannels *
                    static_cast<std::size_t>(sample_bytes_)),
         rows_per_block_(std::max(1, static_cast<int>(kBlockBytes / row_bytes_))),
-        encoder_(options.bit_depth == 8 ? 255 : 65535),
+        encoder_(options.color, options.bit_depth),
         threads_(options.threads),
         pending_(row_bytes_, 0) {}
 
@@ -57,7 +55,6 @@ class PngFile final : public PictureFile {
   }
 
  private:
-  bool encode_row(const PictureStrip& strip, int y, std::uint8_t* out) const;
   Block deflate_rows(int begin, int end, bool last) const;
   void write_block(Block& block, bool last);
   void deflate_whole_blocks();
@@ -71,7 +68,7 @@ class PngFile final : public PictureFile {
   int sample_bytes_;
   std::size_t row_bytes_;
   int rows_per_block_;
-  SrgbEncoder encoder_;
+  RowEncoder encoder_;
   Threads threads_;
   Bytes pending_;  // the row before (zeros at the start), then the rows not yet deflated
   int pending_rows_ = 0;
@@ -82,26 +79,10 @@ class PngFile final : public PictureFile {
 
 Result<void> PngFile::begin(const PngOptions& options) {
   const Result<Bytes> head = png::file_head(options.width, options.height, options.bit_depth,
-                                            options.dpi, options.provenance);
+                                            options.color.profile, options.dpi, options.provenance);
   if (!head) return head.error();
   file_->write(head->data(), head->size());
   return file_->status();
-}
-
-/// False if a value is not a number.
-bool PngFile::encode_row(const PictureStrip& strip, int y, std::uint8_t* out) const {
-  bool numbers = true;
-  for (int c = 0; c < kChannels; ++c) {
-    const float* in = strip.plane[static_cast<std::size_t>(c)].row(y);
-    std::uint8_t* to = out + c * sample_bytes_;
-    for (int x = 0; x < width_; ++x, to += kChannels * sample_bytes_) {
-      numbers = numbers && !std::isnan(in[x]);
-      const int code = encoder_.encode(in[x]);
-      if (sample_bytes_ == 2) *to = static_cast<std::uint8_t>(code >> 8);
-      to[sample_bytes_ - 1] = static_cast<std::uint8_t>(code);
-    }
-  }
-  return numbers;
 }
 
 Result<void> PngFile::write(const PictureStrip& strip) {
@@ -114,7 +95,8 @@ Result<void> PngFile::write(const PictureStrip& strip) {
   std::vector<std::uint8_t> bad(static_cast<std::size_t>(strip.rows), 0);
   threads_.for_rows(strip.rows, [&](int y) {
     std::uint8_t* out = pending_.data() + static_cast<std::size_t>(before + y + 1) * row_bytes_;
-    bad[static_cast<std::size_t>(y)] = encode_row(strip, y, out) ? 0 : 1;
+    const RgbRow row = {strip.plane[0].row(y), strip.plane[1].row(y), strip.plane[2].row(y)};
+    bad[static_cast<std::size_t>(y)] = encoder_.encode(row, width_, strip.y0 + y, out) ? 0 : 1;
   });
   const auto first_bad = std::find(bad.begin(), bad.end(), 1);
   if (first_bad != bad.end())

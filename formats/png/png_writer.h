@@ -1,11 +1,12 @@
 #pragma once
 // PNG out: 8 or 16 bit RGB, streamed in strips deflated by several threads, published atomically.
-// Takes scene-linear strips and encodes sRGB once, here.
+// Takes scene-linear strips (Rec. 709) and encodes the profile's colours once, here.
 
 #include <memory>
 #include <string>
 
 #include "core/result.h"
+#include "formats/color/row_encoder.h"
 #include "formats/io/picture_file.h"
 
 namespace pentimento {
@@ -17,6 +18,7 @@ struct PngOptions {
   Provenance provenance;  // as iTXt/tEXt
   int threads = 1;
   bool no_clobber = false;
+  ColorEncoding color;
 };
 
 /// `path` "-" is standard output. Errors: kIo.

@@ -13,9 +13,10 @@
 
 namespace pentimento {
 
-/// Channel by channel, by name. Integer pictures are compared as stored (0..1, sRGB), float ones in
-/// linear light; an integer with a float one in linear light. FLIP sees both as sRGB in 0..1. The
-/// larger of two sizes of a whole ratio is reduced by area means of linear light first.
+/// Channel by channel, by name. Integer pictures are compared as stored (0..1, encoded), float ones
+/// in linear light; an integer with a float one in linear light. FLIP sees both as sRGB in 0..1.
+/// Pictures of different profiles are compared as sRGB, with a note. The larger of two sizes of a
+/// whole ratio is reduced by area means of linear light first.
 Comparison compare_pictures(const Image& a, const Image& b, const Threads& threads);
 
 /// Dataset by dataset, named as in the dump; parameters, palette and lighting that differ are

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "formats/image/resample.h"
-#include "formats/image/srgb.h"
 #include "replay/compare/compare.h"
 #include "replay/compare/flip.h"
 #include "replay/compare/plane_difference.h"
@@ -12,7 +11,8 @@ namespace pentimento {
 
 namespace {
 
-Field<float> mapped(const Field<float>& plane, double (*curve)(double)) {
+template <typename Curve>
+Field<float> mapped(const Field<float>& plane, const Curve& curve) {
   Field<float> out(plane.width(), plane.height());
   for (int y = 0; y < plane.height(); ++y)
     for (int x = 0; x < plane.width(); ++x)
@@ -21,8 +21,32 @@ Field<float> mapped(const Field<float>& plane, double (*curve)(double)) {
 }
 
 /// Stored codes of an integer picture, from the linear light it was read as.
-Field<float> stored_values(const Field<float>& plane, bool is_alpha) {
-  return is_alpha ? plane.clone() : mapped(plane, linear_to_srgb);
+Field<float> stored_values(const Field<float>& plane, bool is_alpha, ColorProfile profile) {
+  if (is_alpha) return plane.clone();
+  return mapped(plane, [profile](double v) { return encode_transfer(profile, v); });
+}
+
+/// All that is said about `image`, without its planes.
+Image without_planes(const Image& image) {
+  Image out;
+  out.width = image.width;
+  out.height = image.height;
+  out.name = image.name;
+  out.format = image.format;
+  out.bits = image.bits;
+  out.stored_float = image.stored_float;
+  out.profile = image.profile;
+  out.unknown_profile = image.unknown_profile;
+  out.profile_title = image.profile_title;
+  return out;
+}
+
+/// In the primaries of Rec. 709.
+Image as_rec709(const Image& image) {
+  Image out = without_planes(image);
+  for (const Field<float>& plane : image.plane) out.plane.push_back(plane.clone());
+  to_rec709(out);
+  return out;
 }
 
 /// The planes that FLIP compares: R, G, B, or Y three times; nothing if there is no colour.
@@ -37,6 +61,10 @@ std::optional<RgbPlanes> rgb_planes(const Image& image) {
 }
 
 void add_flip(const Image& a, const Image& b, const Threads& threads, Comparison& out) {
+  if (a.profile != ColorProfile::kSrgb) {  // both: different ones do not come here
+    add_flip(as_rec709(a), as_rec709(b), threads, out);
+    return;
+  }
   const auto left = rgb_planes(a), right = rgb_planes(b);
   if (!left || !right) return;
   const Field<float> map = flip_map(*left, *right, kFlipPixelsPerDegree, threads);
@@ -53,16 +81,19 @@ void add_flip(const Image& a, const Image& b, const Threads& threads, Comparison
 
 /// By area means of linear light, to the size of `other`.
 Image reduced(const Image& image, const Image& other) {
-  Image out;
+  Image out = without_planes(image);
   out.width = other.width;
   out.height = other.height;
-  out.name = image.name;
-  out.format = image.format;
-  out.bits = image.bits;
-  out.stored_float = image.stored_float;
   for (const Field<float>& plane : image.plane)
     out.plane.push_back(resample_area(plane.view(), other.width, other.height));
   return out;
+}
+
+void note_unknown_profile(const Image& image, const char* which, Comparison& out) {
+  if (!image.unknown_profile) return;
+  out.notes.push_back(
+      fmt::format("the {} picture's colour profile \"{}\" is not known: taken for sRGB", which,
+                  image.profile_title));
 }
 
 void note_missing(const Image& a, const Image& b, const char* where, Comparison& out) {
@@ -76,6 +107,12 @@ void note_missing(const Image& a, const Image& b, const char* where, Comparison&
 }  // namespace
 
 Comparison compare_pictures(const Image& a, const Image& b, const Threads& threads) {
+  if (a.profile != b.profile) {
+    Comparison out = compare_pictures(as_rec709(a), as_rec709(b), threads);
+    out.notes.push_back(fmt::format("colours: {} against {}, compared as sRGB",
+                                    profile_title(a.profile), profile_title(b.profile)));
+    return out;
+  }
   const int up = whole_ratio({a.width, a.height}, {b.width, b.height});
   const int down = whole_ratio({b.width, b.height}, {a.width, a.height});
   if (up > 1 || down > 1) {
@@ -93,6 +130,8 @@ Comparison compare_pictures(const Image& a, const Image& b, const Threads& threa
     out.comparable = false;
     return out;
   }
+  note_unknown_profile(a, "first", out);
+  note_unknown_profile(b, "second", out);
   note_missing(a, b, "second", out);
   note_missing(b, a, "first", out);
   const bool as_stored = !a.stored_float && !b.stored_float;
@@ -101,8 +140,8 @@ Comparison compare_pictures(const Image& a, const Image& b, const Threads& threa
     if (other == nullptr) continue;
     if (as_stored) {
       const bool alpha = a.name[c] == "A";
-      const Field<float> left = stored_values(a.plane[c], alpha);
-      const Field<float> right = stored_values(*other, alpha);
+      const Field<float> left = stored_values(a.plane[c], alpha, a.profile);
+      const Field<float> right = stored_values(*other, alpha, b.profile);
       out.planes.push_back(plane_difference(a.name[c], left.view(), right.view(), 1));
     } else {
       out.planes.push_back(plane_difference(a.name[c], a.plane[c].view(), other->view(), 1));

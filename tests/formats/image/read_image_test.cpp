@@ -10,7 +10,7 @@
 
 #include <cmath>
 
-#include "formats/image/srgb.h"
+#include "core/optics/srgb.h"
 #include "tests/formats/scratch.h"
 
 namespace pentimento {

@@ -17,8 +17,11 @@ namespace {
 using test::Scratch;
 const std::vector<std::string> kRgb = {"R", "G", "B"};
 
-void write_png(const std::string& path, const std::vector<Field<float>>& planes) {
+void write_png(const std::string& path, const std::vector<Field<float>>& planes,
+               const ColorEncoding& color = {}, int bit_depth = 8) {
   PngOptions options;
+  options.color = color;
+  options.bit_depth = bit_depth;
   options.width = planes[0].width();
   options.height = planes[0].height();
   auto file = create_png(path, options);
@@ -65,6 +68,35 @@ TEST(PlaneDifference, NanEqualsNanAndNothingElse) {
   const PlaneDifference d = plane_difference("x", a.view(), b.view(), 1);
   EXPECT_EQ(d.differing, 0.5);
   EXPECT_TRUE(std::isinf(d.max));
+}
+
+TEST(Compare, PicturesOfDifferentProfilesAreComparedAsSrgb) {
+  const Scratch scratch;
+  std::vector<Field<float>> planes;
+  for (int c = 0; c < 3; ++c) planes.emplace_back(40, 30);
+  for (int y = 0; y < 30; ++y)
+    for (int x = 0; x < 40; ++x) {
+      planes[0](x, y) = static_cast<float>(x) / 40;
+      planes[1](x, y) = static_cast<float>(y) / 30;
+      planes[2](x, y) = static_cast<float>((3 * x + 5 * y) % 31) / 31;
+    }
+  write_png(scratch.path("a.png"), planes, {}, 16);
+  for (const ColorProfile profile : {ColorProfile::kDisplayP3, ColorProfile::kAdobeRgb}) {
+    write_png(scratch.path("b.png"), planes, {profile}, 16);
+    CompareThresholds thresholds;
+    thresholds.rms = 1e-4;
+    thresholds.flip = 1e-3;
+    const auto result = compare(scratch.path("a.png"), scratch.path("b.png"), thresholds);
+    ASSERT_TRUE(result);
+    // Rounding to 16 bits on both sides: some codes near black, where the curves are steepest.
+    // Taken as sRGB, the profile's numbers are off by hundredths.
+    EXPECT_TRUE(result->equal) << comparison_text(*result);
+    ASSERT_EQ(result->notes.size(), 1u);
+    EXPECT_NE(result->notes[0].find(profile_title(profile)), std::string::npos);
+    const auto same = compare(scratch.path("b.png"), scratch.path("b.png"));
+    ASSERT_TRUE(same);
+    EXPECT_TRUE(same->equal && same->notes.empty() && same->flip_mean == 0);
+  }
 }
 
 TEST(Compare, EqualPicturesAreEqual) {

@@ -1,23 +1,20 @@
 #pragma once
-// The sRGB transfer curve (IEC 61966-2-1) between light and code values. Only + - * / sqrt, so
-// that a picture loaded onto the canvas gives the same bits on every machine.
+// Linear light to the integer codes of a picture, through a table: as fast as a lookup, as exact as
+// the curve itself.
 
 #include <bit>
 #include <cstdint>
 #include <vector>
 
+#include "formats/color/color_profile.h"
+
 namespace pentimento {
 
-/// Linear light of the sRGB value `v` in [0,1]; relative error below 1e-14.
-double srgb_to_linear(double v);
-/// sRGB value of the linear light `v` in [0,1]; relative error below 1e-14.
-double linear_to_srgb(double v);
-
-/// Linear light to integer codes 0..max_code, rounded to the nearest code (on the sRGB scale).
-class SrgbEncoder {
+/// Linear light to integer codes 0..max_code, rounded to the nearest code (on the encoded scale).
+class CodeEncoder {
  public:
   /// `max_code`: 255 or 65535.
-  explicit SrgbEncoder(int max_code);
+  CodeEncoder(ColorProfile profile, int max_code);
   /// Values outside [0,1] are clamped; `v` must not be NaN.
   int encode(float v) const {
     if (!(v > 0)) return 0;
@@ -38,10 +35,10 @@ class SrgbEncoder {
   }
 
  private:
-  // A bucket is a range of floats with equal upper bits: 128 per octave, from 2^-21 to 1. Below
-  // lies less than half a code of 16 bits.
+  // A bucket is a range of floats with equal upper bits: 128 per octave, from 2^-38 to 1. Below
+  // lies less than half a code of 16 bits on the steepest of the curves, 563/256.
   static constexpr int kBucketShift = 16;
-  static constexpr std::uint32_t kFirstBits = (127u - 21u) << 23;
+  static constexpr std::uint32_t kFirstBits = (127u - 38u) << 23;
   static constexpr std::uint32_t kOneBits = 127u << 23;
 
   int max_code_;

@@ -1,0 +1,38 @@
+#pragma once
+// Dithering of 8-bit codes: noise of about a code hides the steps of a smooth gradient. The noise
+// follows from the pixel's position in the whole picture alone, so threads, tiles, strips and crops
+// do not change it.
+
+#include <cstdint>
+
+#include "core/math/random.h"
+
+namespace pentimento {
+
+/// Steps of a 16-bit code in one of an 8-bit code: code 257 c of 65535 is exactly code c of 255.
+inline constexpr int kStepsPerCode = 257;
+
+/// Uniform in 0..256 for each (x, y, channel).
+inline int dither_uniform(int x, int y, int channel) {
+  const std::uint64_t place = static_cast<std::uint64_t>(static_cast<std::uint32_t>(y)) << 32 |
+                              static_cast<std::uint32_t>(x);
+  const std::uint64_t bits = splitmix64(place, static_cast<std::uint64_t>(channel) + 1) >> 40;
+  return static_cast<int>((bits * kStepsPerCode) >> 24);
+}
+
+/// The 8-bit code of a 16-bit one, dithered: round(v + d), d triangular in (-1, 1) codes with mean
+/// 0, the difference of this pixel's uniform number and its left neighbour's. So the mean of many
+/// pixels is v whatever v is, the noise does not depend on v, and it is weak at low frequencies
+/// across the rows, where eyes see best. Within half a code of black and white d is uniform in half
+/// a code, so that nothing is clipped: pure black and white stay clean.
+/// Source: Lipshitz, Wannamaker and Vanderkooy, Quantization and Dither: A Theoretical Survey,
+/// J. Audio Eng. Soc. 40(5), 1992 (triangular dither, and its high-pass kind).
+inline int dithered_code(int code16, int x, int y, int channel) {
+  constexpr int kHalf = kStepsPerCode / 2;
+  const int here = dither_uniform(x, y, channel);
+  const bool at_an_end = code16 < kHalf || code16 > 65535 - kHalf;
+  const int noise = at_an_end ? here - kHalf : here - dither_uniform(x - 1, y, channel);
+  return (code16 + noise + kHalf) / kStepsPerCode;
+}
+
+}  // namespace pentimento
