@@ -90,6 +90,10 @@ Result<void> choose_refinement(const RenderJob& job, LogSession& session) {
                  "--sim-scale is for --refine direct: guided simulates on the log's grid"};
   }
   session.detail = job.detail.value_or(detail_for(session.size, session.canvas));
+  if (session.detail > 1 && session.model.scheme == SchemeKind::kPaper) {
+    return Error{ErrorCode::kUsage,
+                 "scheme paper has no finer canvas: a larger picture of it needs --refine direct"};
+  }
   return {};
 }
 

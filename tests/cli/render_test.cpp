@@ -91,6 +91,14 @@ TEST(CommandRender, ALargerPictureIsTheSamePainting) {
   EXPECT_EQ(place.run("render a.jsonl -o c.png --scale 2 --detail 40").code, 2);
 }
 
+TEST(CommandRender, ThePublishedFluidHasNoFinerCanvas) {
+  const Workplace place;
+  const Ran larger = place.run("render a.jsonl -o a.png --scale 2 --scheme paper");
+  EXPECT_EQ(larger.code, 2);
+  EXPECT_NE(larger.err.find("--refine direct"), std::string::npos);
+  EXPECT_EQ(place.run("render a.jsonl -o a.png --scheme paper").code, 0);
+}
+
 TEST(CommandRender, DirectIsMarkedAsAnotherPainting) {
   const Workplace place;
   const Ran direct = place.run("render a.jsonl -o a.png -o a.h5 --scale 2 --refine direct --json");
