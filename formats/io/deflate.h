@@ -1,10 +1,10 @@
 #pragma once
-// Deflate (RFC 1951) for pieces that several threads compress at once: ISA-L at its level 1 where
-// it was there when the programme was built, else zlib. A pure function of the bytes given.
+// Deflate (RFC 1951) for pieces that several threads compress at once, by zlib: its output depends
+// on the bytes given and on nothing else, so equal pictures and states are equal files. (ISA-L was
+// twice as fast, but chose other matches on other processors and, rarely, on the same.)
 
 #include <cstdint>
 #include <span>
-#include <string>
 #include <vector>
 
 namespace pentimento {
@@ -23,8 +23,5 @@ std::uint32_t adler32_joined(std::uint32_t first, std::uint32_t second, std::siz
 
 /// CRC-32 of PNG and gzip, continued from `before` (0 at the start).
 std::uint32_t crc32_of(std::uint32_t before, std::span<const std::uint8_t> bytes);
-
-/// "ISA-L" or "zlib", for reports.
-std::string deflate_library();
 
 }  // namespace pentimento

@@ -10,7 +10,6 @@
 #include "formats/exr/exr_writer.h"
 #include "formats/hdf5/state_dump.h"
 #include "formats/image/resample.h"
-#include "formats/io/deflate.h"
 #include "formats/png/png_writer.h"
 
 namespace pentimento {
@@ -76,7 +75,6 @@ void encode_png(benchmark::State& state) {
     auto file = create_png(path, options);
     if (!file || !write_strips(**file)) state.SkipWithError("cannot write");
   }
-  state.SetLabel(deflate_library());
   report(state, 3.0 * kWidth * kHeight * options.bit_depth / 8, path);
 }
 BENCHMARK(encode_png)
