@@ -56,6 +56,22 @@ Result<void> check_exr_options(const PictureChoice& choice) {
   return {};
 }
 
+/// A debug view is a PNG and nothing else: its colours are no light.
+Result<void> choose_debug_view(const std::string& name, PictureChoice& choice) {
+  if (name.empty()) return {};
+  choice.debug_view = debug_view_named(name);
+  if (!choice.debug_view) {
+    return Error{ErrorCode::kUsage,
+                 "--debug-view " + name + ": expected one of " + std::string(kDebugViewNames)};
+  }
+  if (!choice.aovs.empty())
+    return Error{ErrorCode::kUsage, "--debug-view and --aov: one at a time"};
+  if (std::any_of(choice.outputs.begin(), choice.outputs.end(), is_exr)) {
+    return Error{ErrorCode::kUsage, "--debug-view needs an -o FILE.png: its colours are no light"};
+  }
+  return {};
+}
+
 /// `dir:X,Y,Z`, `pos:X,Y,Z`, and after it the intensity, and after that the colour.
 Result<Lamp> parse_lamp(const std::string& text) {
   const Error bad = {
@@ -134,6 +150,11 @@ void PictureOptions::add_to(CLI::App& app) {
                  "extra EXR layers: albedo, normal, height, depth, diffuse, specular, reflection, "
                  "wet, pigment")
       ->type_name("NAME,...");
+  app.add_option(
+         "--debug-view", debug_view,
+         "a field with its scale in place of the picture: height, velocity, pigment, layers, "
+         "wetness")
+      ->type_name("NAME");
   app.add_option("--light", light, "lamp: where it is seen (x right, y up, z out), or `gravity`")
       ->type_name("X,Y,Z");
   app.add_option("--environment", environment, "panorama that lights the picture (HDR, EXR, ...)")
@@ -178,6 +199,7 @@ Result<PictureChoice> PictureOptions::picture() const {
   choice.tile = tile;
   choice.no_clobber = no_clobber;
   if (Result<void> useful = check_exr_options(choice); !useful) return useful.error();
+  if (Result<void> view = choose_debug_view(debug_view, choice); !view) return view.error();
   choice.backend = backend == "osmesa" ? GlBackend::kOsmesa
                    : backend == "egl"  ? GlBackend::kEgl
                                        : GlBackend::kAuto;

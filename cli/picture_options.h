@@ -22,7 +22,7 @@ struct PictureOptions {
   std::optional<double> scale;
   std::string print;
   double dpi = 0;
-  std::string crop, aov, light, environment, backend = "auto";
+  std::string crop, aov, debug_view, light, environment, backend = "auto";
   std::string profile = "srgb", dither = "off";
   std::vector<std::string> lamps;
   std::string white_point, tone_curve;

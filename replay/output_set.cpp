@@ -10,6 +10,7 @@
 #include "formats/exr/exr_writer.h"
 #include "formats/io/output_file.h"
 #include "formats/png/png_writer.h"
+#include "replay/debug_picture.h"
 #include "replay/tone_sink.h"
 
 namespace pentimento {
@@ -96,7 +97,12 @@ Result<void> OutputSet::create(const PlannedOutput& output, const Scene& scene,
   Result<OutputSize> size = written_size(choice, settings_.size);
   if (!size) return size.error();
   Provenance provenance = provenance_of(origin, settings_.size, output.pattern);
-  provenance.emplace_back("shader", shader_->description());
+  if (choice.debug_view) {
+    *size = debug_picture_size(*size);
+    provenance.emplace_back("debug_view", debug_view_name(*choice.debug_view));
+  } else {
+    provenance.emplace_back("shader", shader_->description());
+  }
   provenance.emplace_back("profile", profile_name(choice.profile));
   Result<std::unique_ptr<PictureFile>> file = [&] {
     if (output.kind == OutputKind::kPng) {
@@ -124,13 +130,17 @@ Result<void> OutputSet::add_pictures(const std::vector<PlannedOutput>& outputs, 
                                      const Origin& origin) {
   if (std::none_of(outputs.begin(), outputs.end(), is_picture)) return {};
   watch_.start("shade");
-  if (Result<void> opened = open_shader(); !opened) return opened;
+  const bool debug = settings_.picture.debug_view.has_value();
+  if (!debug) {
+    if (Result<void> opened = open_shader(); !opened) return opened;
+  }
   const std::size_t first_file = pending_.size();
   for (const PlannedOutput& output : outputs) {
     if (!is_picture(output)) continue;
     if (Result<void> created = create(output, scene, origin); !created) return created;
   }
-  if (Result<void> shaded = shade(scene, first_file); !shaded) return shaded;
+  Result<void> shaded = debug ? paint_debug_view(scene, first_file) : shade(scene, first_file);
+  if (!shaded) return shaded;
   watch_.start("encode");
   for (std::size_t i = first_file; i < pending_.size(); ++i) {
     Result<Published> complete = pending_[i].picture->complete();
@@ -165,6 +175,23 @@ Result<void> OutputSet::shade(const Scene& scene, std::size_t first_file) {
   }
   for (WatchedSink& sink : watched) sinks.push_back(&sink);
   return shader_->shade(scene.canvas, scene.basis, scene.model, scene.lighting, request, sinks);
+}
+
+Result<void> OutputSet::paint_debug_view(const Scene& scene, std::size_t first_file) {
+  const PictureChoice& choice = settings_.picture;
+  const Result<OutputSize> shown = written_size(choice, settings_.size);
+  if (!shown) return shown.error();
+  DebugFrame frame{settings_.size, 0, 0, shown->width, shown->height};
+  if (choice.crop) {
+    frame.left = (*choice.crop)[0];
+    frame.top = (*choice.crop)[1];
+  }
+  std::vector<PictureSink*> sinks;
+  for (std::size_t i = first_file; i < pending_.size(); ++i)
+    sinks.push_back(pending_[i].picture.get());
+  const DebugColors colors(*choice.debug_view,
+                           measure_debug_scale(*choice.debug_view, scene.canvas, scene.basis));
+  return write_debug_picture(colors, scene.canvas, scene.basis, frame, sinks, settings_.control);
 }
 
 Result<void> OutputSet::add_states(const std::vector<PlannedOutput>& outputs, const StateDump& dump,

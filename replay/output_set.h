@@ -40,7 +40,8 @@ class OutputSet {
   OutputSet(const OutputSettings& settings, Stopwatch& watch);
   ~OutputSet();
 
-  /// Shades `scene` once into all pictures among `outputs`. Errors: kIo, kUsage (crop, AOVs).
+  /// Shades `scene` once into all pictures among `outputs`, or paints the debug view that is asked
+  /// for. Errors: kIo, kUsage (crop, AOVs).
   Result<void> add_pictures(const std::vector<PlannedOutput>& outputs, const Scene& scene,
                             const Origin& origin);
   /// Writes `dump` into all state files among `outputs`.
@@ -54,6 +55,7 @@ class OutputSet {
   Result<void> open_shader();
   Result<void> create(const PlannedOutput& output, const Scene& scene, const Origin& origin);
   Result<void> shade(const Scene& scene, std::size_t first_file);
+  Result<void> paint_debug_view(const Scene& scene, std::size_t first_file);
 
   const OutputSettings settings_;
   Stopwatch& watch_;
@@ -61,8 +63,8 @@ class OutputSet {
   std::vector<Pending> pending_;
 };
 
-/// Size in pixels of what is written: the crop, or the whole picture. Errors: kUsage, a crop that
-/// is not inside.
+/// Size in pixels of what is shown: the crop, or the whole picture. (The file of a debug view is
+/// larger by its legend.) Errors: kUsage, a crop that is not inside.
 Result<OutputSize> written_size(const PictureChoice& picture, const OutputSize& whole);
 
 }  // namespace pentimento

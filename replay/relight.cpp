@@ -108,6 +108,9 @@ Result<OutputSize> relit_size(SizeRequest request, const CanvasGeometry& guide,
 Result<JobReport> relight(const RelightJob& job, const Control& control) {
   Stopwatch watch;
   watch.start("read");
+  if (job.picture.debug_view && !job.light_path.empty()) {
+    return Error{ErrorCode::kUsage, "--debug-view and --light-path: a debug view has no light"};
+  }
   if (job.light.follow_gravity) {
     return Error{ErrorCode::kUsage, "--light gravity: a state dump does not know the gravity"};
   }

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/debug/debug_view.h"
 #include "core/model.h"
 #include "core/optics/lighting.h"
 #include "core/shading/shader.h"
@@ -36,6 +37,7 @@ struct PictureChoice {
   ColorProfile profile = ColorProfile::kSrgb;
   bool dither = false;  // of PNG with 8 bit
   std::vector<std::string> aovs;
+  std::optional<DebugView> debug_view;  // in place of the lit picture
   std::optional<std::array<int, 4>> crop;  // x, y, width, height in pixels of the whole picture
   int tile = 1024;
   GlBackend backend = GlBackend::kAuto;

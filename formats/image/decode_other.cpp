@@ -1,53 +1,15 @@
-#include <dlfcn.h>
 #include <fmt/format.h>
 
-#include <cstdlib>
-#include <filesystem>
 #include <vector>
 
 #include "core/optics/srgb.h"
 #include "formats/image/decode.h"
+#include "formats/image/module_function.h"
 #include "formats/image/picture_module.h"
 
 namespace pentimento::image {
 
 namespace {
-
-constexpr const char* kModule = "pentimento_pictures.so";
-struct Module {
-  decltype(&pentimento_read_picture) read = nullptr;
-};
-
-/// Beside the command (a build tree), or in the folder of libraries it was installed with.
-std::vector<std::filesystem::path> module_places() {
-  std::error_code error;
-  const std::filesystem::path command = std::filesystem::read_symlink("/proc/self/exe", error);
-  std::vector<std::filesystem::path> places;
-  if (!error) {
-    places.push_back(command.parent_path() / kModule);
-    places.push_back(command.parent_path() / ".." / PENTIMENTO_RELATIVE_LIBDIR / kModule);
-  }
-  places.push_back(std::filesystem::path(PENTIMENTO_LIBDIR) / kModule);
-  return places;
-}
-
-/// It stays loaded.
-Result<Module> load_module() {
-  // OpenCV takes its limit from the environment, when it is loaded.
-  const std::string pixels = std::to_string(ImageLimits{}.max_pixels);
-  ::setenv("OPENCV_IO_MAX_IMAGE_PIXELS", pixels.c_str(), 0);
-  std::string why = "it is not installed";
-  for (const std::filesystem::path& place : module_places()) {
-    std::error_code error;
-    if (!std::filesystem::exists(place, error)) continue;
-    void* module = ::dlopen(place.c_str(), RTLD_NOW | RTLD_LOCAL);
-    void* function = module == nullptr ? nullptr : ::dlsym(module, "pentimento_read_picture");
-    if (function != nullptr)
-      return Module{reinterpret_cast<decltype(&pentimento_read_picture)>(function)};
-    why = ::dlerror();
-  }
-  return Error{ErrorCode::kIo, fmt::format("cannot load {}: {}", kModule, why)};
-}
 
 struct Reading {
   const std::string& path;
@@ -109,8 +71,7 @@ void take_row(void* owner, int y, const float* samples) {
 
 void take_failure(void* owner, const char* message) {
   Reading& reading = *static_cast<Reading*>(owner);
-  std::string line = message;
-  line = line.substr(0, line.find('\n'));
+  const std::string line = first_line(message);
   // OpenCV throws for a size beyond its limits, and for nothing else on this path.
   const bool too_large = line.find("CV_IO_MAX_IMAGE") != std::string::npos;
   reading.error = {too_large ? ErrorCode::kLimit : ErrorCode::kBadInput,
@@ -127,11 +88,12 @@ void order_planes(Image& image) {
 }  // namespace
 
 Result<Image> decode_other(const std::string& path, const ImageReadOptions& options) {
-  static const Result<Module> module = load_module();
-  if (!module) return module.error();
+  static const auto read =
+      module_function<decltype(pentimento_read_picture)>(kPictureModule, "pentimento_read_picture");
+  if (!read) return read.error();
   Reading reading{path, options, {}, false, {}};
   const PentimentoPicture to = {&reading, take_size, take_row, take_failure};
-  if (module->read(path.c_str(), &to) != 0) return reading.error;
+  if (read->call(path.c_str(), &to) != 0) return reading.error;
   order_planes(reading.image);
   return std::move(reading.image);
 }

@@ -137,6 +137,36 @@ TEST(CommandRender, WhatOnlyAnExrHoldsNeedsOne) {
   EXPECT_FALSE(place.has("a.png"));
 }
 
+TEST(CommandDebugView, IsAPictureWithItsLegendFromLogAndDump) {
+  const Workplace place;
+  ASSERT_EQ(place.run("render a.jsonl -o a.h5").code, 0);
+  for (const char* view : {"velocity", "layers"}) {
+    const std::string option = std::string(" --scale 4 --debug-view ") + view;
+    ASSERT_EQ(place.run("relight a.h5 -o a.png" + option).code, 0);
+    const Ran info = place.run("info a.png --json");
+    EXPECT_EQ(json_member(info.out, "height"), "300") << info.out;  // 240 and the legend
+    EXPECT_NE(info.out.find(std::string("\"debug_view\":\"") + view), std::string::npos)
+        << info.out;
+  }
+  ASSERT_EQ(place.run("render a.jsonl -o b.png --debug-view wetness").code, 0);
+  ASSERT_EQ(place.run("relight a.h5 -o c.png --debug-view wetness").code, 0);
+  EXPECT_EQ(place.run("compare b.png c.png").code, 0);
+}
+
+TEST(CommandDebugView, IsRefusedWhereItMeansNothing) {
+  const Workplace place;
+  const auto fails = [&](const std::string& options, const std::string& says) {
+    const Ran ran = place.run("render a.jsonl " + options);
+    EXPECT_EQ(ran.code, 2);
+    EXPECT_EQ(lines_in(ran.err), 1u) << ran.err;
+    EXPECT_NE(ran.err.find(says), std::string::npos) << ran.err;
+    EXPECT_EQ(place.files(), 1u);
+  };
+  fails("-o a.png --debug-view heigth", "height, velocity, pigment, layers, wetness");
+  fails("-o a.exr --debug-view height", "FILE.png");
+  fails("-o a.png --debug-view height --float", "--float");
+}
+
 TEST(CommandRender, ALampIsRefusedWhereItSaysNothing) {
   const Workplace place;
   for (const char* lamp : {"1,1,1", "dir:1,1", "dir:0,0,0", "pos:1,1,1,-2", "dir:1,1,1,1,1"})

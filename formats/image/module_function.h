@@ -1,0 +1,35 @@
+#pragma once
+// The modules beside the command: libraries that take long to load and that few jobs need. Each is
+// loaded when the first of its functions is asked for, and stays loaded.
+
+#include <string>
+
+#include "core/result.h"
+
+namespace pentimento::image {
+
+inline constexpr const char* kPictureModule = "pentimento_pictures.so";
+inline constexpr const char* kFilmModule = "pentimento_films.so";
+
+/// The address of `function` in `module`. Errors: kIo, with the reason.
+Result<void*> find_in_module(const char* module, const char* function);
+
+template <typename Signature>
+struct ModuleFunction {
+  Signature* call = nullptr;
+};
+
+/// As above, typed: `Signature` is that of the function.
+template <typename Signature>
+Result<ModuleFunction<Signature>> module_function(const char* module, const char* function) {
+  Result<void*> found = find_in_module(module, function);
+  if (!found) return found.error();
+  return ModuleFunction<Signature>{reinterpret_cast<Signature*>(*found)};
+}
+
+/// The first line of what a library said.
+inline std::string first_line(const std::string& text) {
+  return text.substr(0, text.find('\n'));
+}
+
+}  // namespace pentimento::image
