@@ -38,22 +38,32 @@ Result<std::array<int, 4>> parse_crop(const std::string& text) {
   }
   return crop;
 }
-bool is_exr(const std::string& path) {
-  std::string end = path.size() < 4 ? "" : path.substr(path.size() - 4);
+bool ends_with(const std::string& path, const std::string& extension) {
+  if (path.size() < extension.size()) return false;
+  std::string end = path.substr(path.size() - extension.size());
   std::transform(end.begin(), end.end(), end.begin(), [](unsigned char c) {
     return static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
   });
-  return end == ".exr";
+  return end == extension;
+}
+bool is_exr(const std::string& path) {
+  return ends_with(path, ".exr");
+}
+bool is_png(const std::string& path) {
+  return ends_with(path, ".png");
 }
 
-/// What only an EXR can hold is not asked for without one.
-Result<void> check_exr_options(const PictureChoice& choice) {
-  if (choice.outputs.empty() || std::any_of(choice.outputs.begin(), choice.outputs.end(), is_exr)) {
-    return {};
-  }
-  if (!choice.aovs.empty()) return Error{ErrorCode::kUsage, "--aov needs an -o FILE.exr"};
+/// Extra layers go into an EXR or beside PNGs, floats into an EXR: neither is asked for without.
+Result<void> check_layer_options(const PictureChoice& choice) {
+  const std::vector<std::string>& outputs = choice.outputs;
+  if (outputs.empty() || std::any_of(outputs.begin(), outputs.end(), is_exr)) return {};
   if (choice.full_float) return Error{ErrorCode::kUsage, "--float needs an -o FILE.exr"};
-  return {};
+  if (choice.aovs.empty()) return {};
+  if (std::find(outputs.begin(), outputs.end(), "-") != outputs.end()) {
+    return Error{ErrorCode::kUsage, "--aov has no place beside -o -: give a file's name"};
+  }
+  if (std::any_of(outputs.begin(), outputs.end(), is_png)) return {};
+  return Error{ErrorCode::kUsage, "--aov needs an -o FILE.exr or FILE.png"};
 }
 
 /// A debug view is a PNG and nothing else: its colours are no light.
@@ -146,9 +156,10 @@ void PictureOptions::add_to(CLI::App& app) {
       ->check(CLI::IsMember({"on", "off"}).description(""))
       ->type_name("on|off");
   app.add_flag("--float", full_float, "EXR in full instead of half precision");
-  app.add_option("--aov", aov,
-                 "extra EXR layers: albedo, normal, height, depth, diffuse, specular, reflection, "
-                 "wet, pigment")
+  app.add_option(
+         "--aov", aov,
+         "extra layers in EXRs, or beside PNGs as NAME.albedo.png ...: albedo, normal, height, "
+         "depth, diffuse, specular, reflection, wet, pigment")
       ->type_name("NAME,...");
   app.add_option(
          "--debug-view", debug_view,
@@ -198,7 +209,7 @@ Result<PictureChoice> PictureOptions::picture() const {
   choice.aovs = split(aov);
   choice.tile = tile;
   choice.no_clobber = no_clobber;
-  if (Result<void> useful = check_exr_options(choice); !useful) return useful.error();
+  if (Result<void> useful = check_layer_options(choice); !useful) return useful.error();
   if (Result<void> view = choose_debug_view(debug_view, choice); !view) return view.error();
   choice.backend = backend == "osmesa" ? GlBackend::kOsmesa
                    : backend == "egl"  ? GlBackend::kEgl

@@ -10,6 +10,7 @@
 #include "formats/exr/exr_writer.h"
 #include "formats/io/output_file.h"
 #include "formats/png/png_writer.h"
+#include "replay/aov_pictures.h"
 #include "replay/debug_picture.h"
 #include "replay/tone_sink.h"
 
@@ -20,6 +21,7 @@ struct OutputSet::Pending {
   std::unique_ptr<PictureFile> picture;  // one of the two
   std::unique_ptr<OutputFile> state;
   bool for_display = false;
+  std::vector<std::string> planes;  // of the strips; empty: all
 
   Result<void> publish() {
     if (picture) return picture->publish();
@@ -119,10 +121,57 @@ Result<void> OutputSet::create(const PlannedOutput& output, const Scene& scene,
                       settings_.threads, choice.no_clobber, choice.profile});
   }();
   if (!file) return file.error();
-  pending_.push_back({{output.path, size->width, size->height, {}},
+  return add_pending({{output.path, size->width, size->height, {}, {}},
                       std::move(*file),
                       {},
-                      output.kind == OutputKind::kPng});
+                      output.kind == OutputKind::kPng,
+                      {}});
+}
+
+/// Two files may not have one name: that of an extra layer is not known when outputs are planned.
+Result<void> OutputSet::add_pending(Pending pending) {
+  for (const Pending& other : pending_) {
+    if (other.file.file == pending.file.file && other.file.file != "-") {
+      return Error{ErrorCode::kUsage, other.file.file + ": is written twice"};
+    }
+  }
+  pending_.push_back(std::move(pending));
+  return {};
+}
+
+/// The extra layers of a PNG, each as a PNG beside it.
+Result<void> OutputSet::create_aovs(const PlannedOutput& output, const Scene& scene,
+                                    const Origin& origin) {
+  const PictureChoice& choice = settings_.picture;
+  const CanvasGeometry& grid = scene.canvas.geometry();
+  const bool on_cells = settings_.size.width <= grid.width && settings_.size.height <= grid.height;
+  Result<std::vector<AovPicture>> pictures =
+      aov_pictures(choice.aovs, scene.canvas, scene.basis, !on_cells);
+  if (!pictures) return pictures.error();
+  const Result<OutputSize> size = written_size(choice, settings_.size);
+  if (!size) return size.error();
+  for (const AovPicture& aov : *pictures) {
+    const std::string path = aov_path(output.path, aov.name);
+    PngOptions options = {size->width, size->height, 16, size->dpi,
+                          provenance_of(origin, settings_.size, output.pattern)};
+    options.threads = settings_.threads;
+    options.no_clobber = choice.no_clobber;
+    options.color.profile = choice.profile;
+    options.numbers = aov.scale;
+    options.provenance.emplace_back("aov", aov.name);
+    std::optional<WrittenScale> scale;
+    if (aov.scale) {
+      scale = {aov.scale->offset, aov.scale->per_code, aov.unit};
+      options.provenance.emplace_back("aov.offset", fmt::format("{}", scale->offset));
+      options.provenance.emplace_back("aov.per_code", fmt::format("{}", scale->per_code));
+      options.provenance.emplace_back("aov.unit", scale->unit);
+    }
+    Result<std::unique_ptr<PictureFile>> file = create_png(path, options);
+    if (!file) return file.error();
+    Result<void> added = add_pending(
+        {{path, size->width, size->height, {}, scale}, std::move(*file), {}, false, aov.planes});
+    if (!added) return added;
+  }
   return {};
 }
 
@@ -134,10 +183,16 @@ Result<void> OutputSet::add_pictures(const std::vector<PlannedOutput>& outputs, 
   if (!debug) {
     if (Result<void> opened = open_shader(); !opened) return opened;
   }
+  const bool exr = std::any_of(outputs.begin(), outputs.end(), [](const PlannedOutput& output) {
+    return output.kind == OutputKind::kExr;
+  });
   const std::size_t first_file = pending_.size();
   for (const PlannedOutput& output : outputs) {
     if (!is_picture(output)) continue;
     if (Result<void> created = create(output, scene, origin); !created) return created;
+    const bool beside = output.kind == OutputKind::kPng && !settings_.picture.aovs.empty() && !exr;
+    if (!beside) continue;
+    if (Result<void> created = create_aovs(output, scene, origin); !created) return created;
   }
   Result<void> shaded = debug ? paint_debug_view(scene, first_file) : shade(scene, first_file);
   if (!shaded) return shaded;
@@ -165,12 +220,14 @@ Result<void> OutputSet::shade(const Scene& scene, std::size_t first_file) {
   request.tile = choice.tile;
   request.aovs = choice.aovs;
   std::deque<ToneSink> toned;  // their addresses stay
+  std::deque<PlaneSink> chosen;
   std::vector<WatchedSink> watched;
   std::vector<PictureSink*> sinks;
   for (std::size_t i = first_file; i < pending_.size(); ++i) {
     const Pending& pending = pending_[i];
-    toned.emplace_back(*pending.picture,
-                       pending.for_display ? scene.lighting.tone : ToneCurve::kNone);
+    PictureSink* sink = pending.picture.get();
+    if (!pending.planes.empty()) sink = &chosen.emplace_back(*sink, pending.planes);
+    toned.emplace_back(*sink, pending.for_display ? scene.lighting.tone : ToneCurve::kNone);
     watched.emplace_back(toned.back(), rows, settings_.control);
   }
   for (WatchedSink& sink : watched) sinks.push_back(&sink);
@@ -206,7 +263,9 @@ Result<void> OutputSet::add_states(const std::vector<PlannedOutput>& outputs, co
     Result<std::unique_ptr<OutputFile>> file = complete_state(output.path, dump, options);
     if (!file) return file.error();
     const CanvasGeometry& grid = dump.fine ? dump.fine->geometry() : dump.state.geometry;
-    pending_.push_back({{output.path, grid.width, grid.height, {}}, {}, std::move(*file), false});
+    Result<void> added = add_pending(
+        {{output.path, grid.width, grid.height, {}, {}}, {}, std::move(*file), false, {}});
+    if (!added) return added;
   }
   return {};
 }

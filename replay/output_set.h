@@ -54,6 +54,8 @@ class OutputSet {
   struct Pending;
   Result<void> open_shader();
   Result<void> create(const PlannedOutput& output, const Scene& scene, const Origin& origin);
+  Result<void> create_aovs(const PlannedOutput& output, const Scene& scene, const Origin& origin);
+  Result<void> add_pending(Pending pending);
   Result<void> shade(const Scene& scene, std::size_t first_file);
   Result<void> paint_debug_view(const Scene& scene, std::size_t first_file);
 

@@ -44,12 +44,14 @@ std::string paint_json(const std::vector<PaintLine>& paint) {
 std::string outputs_json(const std::vector<WrittenFile>& outputs) {
   std::vector<std::string> files;
   for (const WrittenFile& f : outputs) {
-    files.push_back(JsonObject()
-                        .add("file", f.file)
-                        .add("width", f.width)
-                        .add("height", f.height)
-                        .add("sha256", f.sha256)
-                        .text());
+    JsonObject file;
+    file.add("file", f.file).add("width", f.width).add("height", f.height).add("sha256", f.sha256);
+    if (f.scale) {
+      file.add("offset", f.scale->offset)
+          .add("per_code", f.scale->per_code)
+          .add("unit", f.scale->unit);
+    }
+    files.push_back(file.text());
   }
   return json_array(files);
 }

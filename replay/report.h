@@ -2,6 +2,7 @@
 // The closing report of a job: what was written and what the replay measured (docs/cli.md).
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,11 +12,18 @@
 
 namespace pentimento {
 
+/// What the codes of a picture of numbers mean: value = offset + per_code * code.
+struct WrittenScale {
+  double offset = 0, per_code = 0;
+  std::string unit;
+};
+
 struct WrittenFile {
   std::string file;
   int width = 0;
   int height = 0;
   std::string sha256;
+  std::optional<WrittenScale> scale;
 };
 
 struct Phase {

@@ -13,7 +13,7 @@ namespace pentimento::png {
 
 namespace {
 
-constexpr std::uint8_t kColourRgb = 2;
+constexpr std::uint8_t kColourGrey = 0, kColourRgb = 2;
 constexpr std::uint8_t kPerceptual = 0;  // rendering intent
 constexpr std::uint8_t kPerMetre = 1;
 constexpr double kInch_m = 0.0254;
@@ -32,12 +32,12 @@ void append_text(std::string_view text, Bytes& out) {
   out.insert(out.end(), text.begin(), text.end());
 }
 
-Bytes header_data(int width, int height, int bit_depth) {
+Bytes header_data(const Head& head) {
   Bytes data;
-  append_number(static_cast<std::uint32_t>(width), data);
-  append_number(static_cast<std::uint32_t>(height), data);
-  data.push_back(static_cast<std::uint8_t>(bit_depth));
-  data.push_back(kColourRgb);
+  append_number(static_cast<std::uint32_t>(head.width), data);
+  append_number(static_cast<std::uint32_t>(head.height), data);
+  data.push_back(static_cast<std::uint8_t>(head.bit_depth));
+  data.push_back(head.channels == 1 ? kColourGrey : kColourRgb);
   data.insert(data.end(), {0, 0, 0});  // deflate, the five filters, not interlaced
   return data;
 }
@@ -89,12 +89,11 @@ Bytes chunk(std::string_view type, std::span<const std::uint8_t> data) {
   return out;
 }
 
-Result<Bytes> file_head(int width, int height, int bit_depth, ColorProfile profile, double dpi,
-                        const Provenance& provenance) {
+Result<Bytes> file_head(const Head& head, const Provenance& provenance) {
   Bytes out(std::begin(kSignature), std::end(kSignature));
-  append(chunk("IHDR", header_data(width, height, bit_depth)), out);
-  append(colour_chunk(profile), out);
-  if (dpi > 0) append(chunk("pHYs", density_data(dpi)), out);
+  append(chunk("IHDR", header_data(head)), out);
+  if (head.profile) append(colour_chunk(*head.profile), out);
+  if (head.dpi > 0) append(chunk("pHYs", density_data(head.dpi)), out);
   for (const auto& [key, value] : provenance) {
     if (!key_fits(key))
       return Error{ErrorCode::kUsage, fmt::format("provenance key \"{}\" does not fit PNG: 1 to {} "

@@ -2,6 +2,7 @@
 // PNG chunks (ISO/IEC 15948, sections 5 and 11) as bytes.
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -18,10 +19,16 @@ inline constexpr std::uint8_t kSignature[8] = {0x89, 'P', 'N', 'G', '\r', '\n', 
 
 /// Length, type, data and CRC.
 Bytes chunk(std::string_view type, std::span<const std::uint8_t> data);
-/// What stands before the first IDAT: signature, IHDR (RGB), sRGB or iCCP, pHYs (if
-/// `dpi` > 0), text.
+/// What a file says of itself before its pixels.
+struct Head {
+  int width = 0, height = 0;
+  int bit_depth = 8;
+  int channels = 3;                     // 1: grey
+  std::optional<ColorProfile> profile;  // none: the samples are no colours
+  double dpi = 0;                       // 0: not said
+};
+/// What stands before the first IDAT: signature, IHDR, sRGB or iCCP, pHYs, text.
 /// Errors: kUsage for a provenance key that PNG cannot hold.
-Result<Bytes> file_head(int width, int height, int bit_depth, ColorProfile profile, double dpi,
-                        const Provenance& provenance);
+Result<Bytes> file_head(const Head& head, const Provenance& provenance);
 
 }  // namespace pentimento::png

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 #include "core/threads.h"
@@ -17,7 +18,6 @@ namespace {
 
 using png::Bytes;
 
-constexpr int kChannels = 3;
 constexpr int kLargestSide = 1'000'000;  // libpng, and so most programs, read no more
 // A block of rows is deflated alone, so its size decides the bytes: it must not depend on the
 // number of threads or on how the strips come.
@@ -31,6 +31,25 @@ struct Block {
   std::size_t bytes = 0;  // before deflating
 };
 
+/// Row `y` of the strip's first planes as 16-bit codes, high byte first.
+bool encode_numbers(const NumberScale& scale, const PictureStrip& strip, int y, std::uint8_t* out) {
+  constexpr double kLargestCode = 65535;
+  bool numbers = true;
+  for (int x = 0; x < strip.plane[0].width(); ++x) {
+    for (int c = 0; c < scale.channels; ++c) {
+      const auto value = static_cast<double>(strip.plane[static_cast<std::size_t>(c)](x, y));
+      if (std::isnan(value)) numbers = false;
+      // fmin and fmax take the number where the other is none.
+      const double code =
+          std::fmin(std::fmax((value - scale.offset) / scale.per_code + 0.5, 0), kLargestCode);
+      const auto whole = static_cast<unsigned>(code);
+      *out++ = static_cast<std::uint8_t>(whole >> 8);
+      *out++ = static_cast<std::uint8_t>(whole);
+    }
+  }
+  return numbers;
+}
+
 class PngFile final : public PictureFile {
  public:
   PngFile(std::string path, std::unique_ptr<OutputFile> file, const PngOptions& options)
@@ -38,11 +57,13 @@ class PngFile final : public PictureFile {
         file_(std::move(file)),
         width_(options.width),
         height_(options.height),
+        channels_(options.numbers ? options.numbers->channels : 3),
         sample_bytes_(options.bit_depth / 8),
-        row_bytes_(static_cast<std::size_t>(options.width) * kChannels *
+        row_bytes_(static_cast<std::size_t>(options.width) * static_cast<std::size_t>(channels_) *
                    static_cast<std::size_t>(sample_bytes_)),
         rows_per_block_(std::max(1, static_cast<int>(kBlockBytes / row_bytes_))),
         encoder_(options.color, options.bit_depth),
+        numbers_(options.numbers),
         threads_(options.threads),
         pending_(row_bytes_, 0) {}
 
@@ -55,6 +76,7 @@ class PngFile final : public PictureFile {
   }
 
  private:
+  bool encode_row(const PictureStrip& strip, int y, std::uint8_t* out) const;
   Block deflate_rows(int begin, int end, bool last) const;
   void write_block(Block& block, bool last);
   void deflate_whole_blocks();
@@ -65,10 +87,12 @@ class PngFile final : public PictureFile {
   std::string path_;
   std::unique_ptr<OutputFile> file_;
   int width_, height_;
+  int channels_;
   int sample_bytes_;
   std::size_t row_bytes_;
   int rows_per_block_;
   RowEncoder encoder_;
+  std::optional<NumberScale> numbers_;
   Threads threads_;
   Bytes pending_;  // the row before (zeros at the start), then the rows not yet deflated
   int pending_rows_ = 0;
@@ -78,15 +102,17 @@ class PngFile final : public PictureFile {
 };
 
 Result<void> PngFile::begin(const PngOptions& options) {
-  const Result<Bytes> head = png::file_head(options.width, options.height, options.bit_depth,
-                                            options.color.profile, options.dpi, options.provenance);
+  png::Head facts = {options.width, options.height, options.bit_depth, channels_, {}, options.dpi};
+  if (!options.numbers) facts.profile = options.color.profile;
+  const Result<Bytes> head = png::file_head(facts, options.provenance);
   if (!head) return head.error();
   file_->write(head->data(), head->size());
   return file_->status();
 }
 
 Result<void> PngFile::write(const PictureStrip& strip) {
-  PENTIMENTO_CHECK(strip.y0 == rows_ && strip.plane.size() >= kChannels);
+  PENTIMENTO_CHECK(strip.y0 == rows_);
+  PENTIMENTO_CHECK(strip.plane.size() >= static_cast<std::size_t>(channels_));
   PENTIMENTO_CHECK(strip.y0 + strip.rows <= height_ && strip.plane[0].width() == width_);
   const int before = pending_rows_;
   pending_rows_ += strip.rows;
@@ -95,8 +121,7 @@ Result<void> PngFile::write(const PictureStrip& strip) {
   std::vector<std::uint8_t> bad(static_cast<std::size_t>(strip.rows), 0);
   threads_.for_rows(strip.rows, [&](int y) {
     std::uint8_t* out = pending_.data() + static_cast<std::size_t>(before + y + 1) * row_bytes_;
-    const RgbRow row = {strip.plane[0].row(y), strip.plane[1].row(y), strip.plane[2].row(y)};
-    bad[static_cast<std::size_t>(y)] = encoder_.encode(row, width_, strip.y0 + y, out) ? 0 : 1;
+    bad[static_cast<std::size_t>(y)] = encode_row(strip, y, out) ? 0 : 1;
   });
   const auto first_bad = std::find(bad.begin(), bad.end(), 1);
   if (first_bad != bad.end())
@@ -107,12 +132,19 @@ Result<void> PngFile::write(const PictureStrip& strip) {
   return file_->status();
 }
 
+/// False if a value is not a number.
+bool PngFile::encode_row(const PictureStrip& strip, int y, std::uint8_t* out) const {
+  if (numbers_) return encode_numbers(*numbers_, strip, y, out);
+  const RgbRow row = {strip.plane[0].row(y), strip.plane[1].row(y), strip.plane[2].row(y)};
+  return encoder_.encode(row, width_, strip.y0 + y, out);
+}
+
 Block PngFile::deflate_rows(int begin, int end, bool last) const {
   Bytes filtered(static_cast<std::size_t>(end - begin) * (row_bytes_ + 1));
   Bytes scratch(4 * row_bytes_);
   for (int y = begin; y < end; ++y)
     png::filter_row({pending_row(y), row_bytes_}, {pending_row(y - 1), row_bytes_},
-                    kChannels * sample_bytes_, scratch,
+                    channels_ * sample_bytes_, scratch,
                     filtered.data() + static_cast<std::size_t>(y - begin) * (row_bytes_ + 1));
   Block block;
   block.bytes = filtered.size();
@@ -165,6 +197,7 @@ Result<std::unique_ptr<PictureFile>> create_png(const std::string& path,
                                                 const PngOptions& options) {
   PENTIMENTO_CHECK(options.width > 0 && options.height > 0);
   PENTIMENTO_CHECK(options.bit_depth == 8 || options.bit_depth == 16);
+  PENTIMENTO_CHECK(!options.numbers || options.bit_depth == 16);
   if (options.width > kLargestSide || options.height > kLargestSide)
     return Error{ErrorCode::kLimit, fmt::format("{}: {} x {} pixels, a PNG side ends at {}", path,
                                                 options.width, options.height, kLargestSide)};

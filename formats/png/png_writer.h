@@ -1,8 +1,10 @@
 #pragma once
 // PNG out: 8 or 16 bit RGB, streamed in strips deflated by several threads, published atomically.
-// Takes scene-linear strips (Rec. 709) and encodes the profile's colours once, here.
+// Takes scene-linear strips (Rec. 709) and encodes the profile's colours once, here. Or numbers
+// that are no colours, as 16-bit codes of an even scale.
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "core/result.h"
@@ -11,6 +13,13 @@
 
 namespace pentimento {
 
+/// An even scale: value = offset + per_code * code, code 0..65535.
+struct NumberScale {
+  double offset = 0;
+  double per_code = 1.0 / 65535;
+  int channels = 1;  // 1: a grey picture, 3: red, green and blue
+};
+
 struct PngOptions {
   int width = 0, height = 0;
   int bit_depth = 8;      // 8 or 16
@@ -18,7 +27,10 @@ struct PngOptions {
   Provenance provenance;  // as iTXt/tEXt
   int threads = 1;
   bool no_clobber = false;
-  ColorEncoding color;
+  ColorEncoding color = {};
+  /// Set: the strips' first planes are numbers; `bit_depth` is 16, `color` is not used. Values
+  /// beyond the scale are its ends.
+  std::optional<NumberScale> numbers = std::nullopt;
 };
 
 /// `path` "-" is standard output. Errors: kIo.

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include "formats/image/read_image.h"
+#include "formats/io/provenance.h"
 #include "tests/cli/command_run.h"
 
 namespace pentimento::test {
@@ -130,11 +132,47 @@ TEST(CommandRelight, ALightPathIsAFrameAPoint) {
   EXPECT_EQ(place.run("relight a.h5 -o f.png --frames 3").code, 2);
 }
 
-TEST(CommandRender, WhatOnlyAnExrHoldsNeedsOne) {
+TEST(CommandRender, LayersAndFloatsNeedAFileThatHoldsThem) {
   const Workplace place;
-  EXPECT_EQ(place.run("render a.jsonl -o a.png --aov height").code, 2);
-  EXPECT_EQ(place.run("render a.jsonl -o a.png --float").code, 2);
-  EXPECT_FALSE(place.has("a.png"));
+  for (const char* wrong : {"-o a.h5 --aov height", "-o - --aov height", "-o a.png --float"}) {
+    const Ran ran = place.run(std::string("render a.jsonl ").append(wrong));
+    EXPECT_EQ(ran.code, 2);
+    EXPECT_EQ(lines_in(ran.err), 1u) << ran.err;
+    EXPECT_EQ(ran.out, "");
+    EXPECT_EQ(place.files(), 1u);
+  }
+}
+
+TEST(CommandRender, LayersBesideAPngAreThoseOfTheExr) {
+  const Workplace place;
+  ASSERT_EQ(place.run("render a.jsonl -o a.h5").code, 0);
+  const std::string aovs = " --width 100 --aov height,normal,pigment ";
+  const Ran ran = place.run("relight a.h5 -o a.png --json" + aovs);
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  EXPECT_EQ(place.files(), 2u + 1 + 2 + 3);  // log and dump; picture; height, normal; paints
+  ASSERT_EQ(place.run("relight a.h5 -o a.exr -o b.png --float" + aovs).code, 0);
+  EXPECT_FALSE(place.has("b.height.png"));  // an EXR has room for them
+  const auto exr = read_image(place.path("a.exr"));
+  ASSERT_TRUE(exr.ok());
+  for (const auto& [file, layer] : {std::pair{"a.height.png", "height.Y"},
+                                    {"a.normal.png", "normal.X"},
+                                    {"a.pigment.blue.png", "pigment.blue"}}) {
+    const auto png = read_image(place.path(file), {SampleMeaning::kRaw, {}});
+    const auto about = describe_file(place.path(file));
+    ASSERT_TRUE(png.ok() && about.ok()) << file;
+    const double offset = std::stod(provenance_value(about->provenance, "aov.offset"));
+    const double per_code = std::stod(provenance_value(about->provenance, "aov.per_code"));
+    const Field<float>& truth = *exr->find(layer);
+    for (int y = 0; y < png->height; y += 3) {
+      for (int x = 0; x < png->width; x += 5) {
+        const double value = offset + per_code * 65535 * static_cast<double>(png->plane[0](x, y));
+        // Half a code, and the rounding of single precision.
+        EXPECT_NEAR(value, static_cast<double>(truth(x, y)), 0.51 * per_code) << layer;
+      }
+    }
+  }
+  EXPECT_NE(ran.out.find("\"per_code\":"), std::string::npos);
+  EXPECT_EQ(place.run("relight a.h5 -o a.png -o a.height.png --aov height").code, 2);
 }
 
 TEST(CommandDebugView, IsAPictureWithItsLegendFromLogAndDump) {

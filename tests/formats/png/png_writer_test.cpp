@@ -197,5 +197,43 @@ TEST(PngWriter, RefusesSidesThatReadersRefuse) {
   EXPECT_EQ(file.error().code, ErrorCode::kLimit);
 }
 
+TEST(PngNumbers, AreCodesOfAnEvenScaleWithoutAColour) {
+  const Scratch scratch;
+  std::vector<Field<float>> planes;
+  planes.emplace_back(4, 2);
+  planes[0](0, 0) = -0.5f;  // code 0
+  planes[0](1, 0) = 0.0f;   // in the middle
+  planes[0](2, 0) = 0.5f;   // the end
+  planes[0](3, 0) = 7.0f;   // beyond it
+  planes[0](0, 1) = -9.0f;
+  for (const int channels : {1, 3}) {
+    for (int c = static_cast<int>(planes.size()); c < channels; ++c)
+      planes.push_back(planes[0].clone());
+    PngOptions options;
+    options.bit_depth = 16;
+    options.numbers = {-0.5, 1.0 / 65535, channels};
+    const std::string path = scratch.path("a.png");
+    ASSERT_TRUE(write_png(path, planes, options, 1));
+    const auto image = read_image(path, {SampleMeaning::kRaw, {}});
+    ASSERT_TRUE(image) << image.error().message;
+    EXPECT_EQ(image->plane.size(), static_cast<std::size_t>(channels));
+    EXPECT_TRUE(image->profile_title.empty());
+    const auto code = [&](int x, int y) { return std::lround(image->plane[0](x, y) * 65535); };
+    EXPECT_EQ(code(0, 0), 0);
+    EXPECT_EQ(code(1, 0), 32768);  // 32767.5 is rounded up
+    EXPECT_EQ(code(2, 0), 65535);
+    EXPECT_EQ(code(3, 0), 65535);
+    EXPECT_EQ(code(0, 1), 0);
+    EXPECT_EQ(test::run("pngcheck -q " + path).first, 0);
+  }
+  planes[0](2, 1) = std::numeric_limits<float>::quiet_NaN();
+  PngOptions options;
+  options.bit_depth = 16;
+  options.numbers.emplace();
+  EXPECT_EQ(write_png(scratch.path("b.png"), planes, options, 1).error().code,
+            ErrorCode::kNonFinite);
+  EXPECT_FALSE(std::filesystem::exists(scratch.path("b.png")));
+}
+
 }  // namespace
 }  // namespace pentimento
