@@ -1,28 +1,50 @@
 #pragma once
-// Blocks of factor x factor fine cells in a tile's plane: sums, factors, the interpolated field of
-// factors. Pure functions on planes of `side` x `side` floats; `box` says which blocks there are.
+// Blocks of factor x factor fine cells side by side in a tile's plane: their means, factors per
+// block, a field of factors interpolated between blocks. Pure functions on one row of blocks.
 
 #include <span>
-#include <vector>
 
+#include "core/detail/changed_blocks.h"
 #include "core/detail/detail_layout.h"
 #include "core/field.h"
 
 namespace pentimento {
 
-/// What a block of fine cells holds, as mean over its cells: `mean` has box.width() values a row.
-/// Sums a row of a block in float, the rows in double: k <= 32 keeps it within 2e-6.
-void block_means(const float* plane, int side, int factor, const GuideBox& box,
-                 std::span<float> mean);
+/// Blocks side by side: `factor` rows of blocks * factor cells, `stride` apart. At most
+/// kMostTileSide cells wide.
+struct BlockRow {
+  float* first = nullptr;
+  std::ptrdiff_t stride = 0;
+  int factor = 1;
+  int blocks = 0;
+  int cells() const { return blocks * factor; }
+};
 
-/// value *= r(x, y), r bilinear between the centres of the guide's cells.
+/// A row of guide cells and its neighbours above and below, where they lie in the guide's planes.
+struct RatioRows {
+  const float* above = nullptr;
+  const float* here = nullptr;
+  const float* below = nullptr;
+  int x = 0;      // the first of the blocks
+  int width = 0;  // of the guide: beyond its first and last value they are repeated
+};
+
+/// The blocks of a strip in a plane of its tile.
+BlockRow block_row(float* plane, const DetailLayout& layout, const BlockStrip& strip);
+/// The rows around row y of a plane of the guide, for blocks from x on.
+RatioRows ratio_rows(const Field<float>& plane, int x, int y);
+
+/// What each block holds, as mean over its cells.
+/// Sums a column of a block in float, the columns in double: k <= 32 keeps it within 2e-6.
+void block_means(const BlockRow& row, std::span<float> mean);
+
+/// value *= r(x, y), r bilinear between the centres of the guide's cells; `mean`: of the blocks
+/// afterwards.
 ///   Scheme: bilinear; constant beyond the guide's outermost centres. Stable: r >= 0 keeps
 ///   values >= 0. Source: decisions on the lock (docs/fidelity.md). Departs from it: nothing.
-void scale_by_field(FieldView<const float> ratio, int factor, const GuideBox& box, float* plane,
-                    int side);
+void scale_by_field(const RatioRows& ratio, const BlockRow& row, std::span<float> mean);
 
-/// value *= scale of the block (box.width() values a row).
-void scale_blocks(std::span<const float> scale, int factor, const GuideBox& box, float* plane,
-                  int side);
+/// value *= scale of the block.
+void scale_blocks(std::span<const float> scale, const BlockRow& row);
 
 }  // namespace pentimento

@@ -10,6 +10,7 @@
 namespace pentimento {
 
 inline constexpr int kMostDetail = 32;
+inline constexpr int kMostTileSide = 128;  // fine cells
 
 /// Guide cells [x0, x1) x [y0, y1).
 struct GuideBox {
@@ -22,7 +23,7 @@ class DetailLayout {
  public:
   /// `factor` in [1, kMostDetail]. Tiles are about 128 fine cells wide, and at least two blocks.
   DetailLayout(const CanvasGeometry& guide, int factor)
-      : guide_(guide), factor_(factor), blocks_(std::max(2, kTileSide / factor)) {
+      : guide_(guide), factor_(factor), blocks_(std::max(2, kMostTileSide / factor)) {
     PENTIMENTO_CHECK(factor >= 1 && factor <= kMostDetail);
     columns_ = (guide.width + blocks_ - 1) / blocks_;
     rows_ = (guide.height + blocks_ - 1) / blocks_;
@@ -48,7 +49,6 @@ class DetailLayout {
   }
 
  private:
-  static constexpr int kTileSide = 128;
   CanvasGeometry guide_;
   int factor_;
   int blocks_;

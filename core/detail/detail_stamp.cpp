@@ -110,10 +110,15 @@ void DetailStamp::lay(const StampPlan& plan, const CanvasState& guide) {
   });
 }
 
+GuideBox DetailStamp::box() const {
+  const int k = canvas_.layout().factor();
+  return {box_.x / k, (box_.x + box_.width + k - 1) / k, box_.y / k,
+          (box_.y + box_.height + k - 1) / k};
+}
+
 /// The tiles under the tip, with the cells of each.
 void DetailStamp::find_parts(const StampPlan& plan) {
   box_ = cells_of(plan, fine_, canvas_.layout().factor());
-  tiles_.clear();
   parts_.clear();
   if (box_.empty()) return;
   const DetailLayout& layout = canvas_.layout();
@@ -126,7 +131,6 @@ void DetailStamp::find_parts(const StampPlan& plan) {
       part.x1 = std::min(box_.x + box_.width, (column + 1) * side);
       part.y0 = std::max(box_.y, row * side);
       part.y1 = std::min(box_.y + box_.height, (row + 1) * side);
-      tiles_.push_back(part.tile);
       parts_.push_back(std::move(part));
     }
   }

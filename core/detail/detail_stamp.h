@@ -23,8 +23,8 @@ class DetailStamp {
   /// Opens layers in blocks where the guide did, as far as the tip touches, lays and mixes; the
   /// guide has done so.
   void lay(const StampPlan& plan, const CanvasState& guide);
-  /// Tiles under the last stamp.
-  const std::vector<int>& tiles() const { return tiles_; }
+  /// Cells of the guide under the last stamp.
+  GuideBox box() const;
 
  private:
   /// The stamp's part of one tile.
@@ -54,7 +54,6 @@ class DetailStamp {
   std::vector<float> amount_;
   const Threads& threads_;
   std::vector<Part> parts_;
-  std::vector<int> tiles_;
   CellBox box_;
 };
 

@@ -165,13 +165,12 @@ class TileLeveller {
 }  // namespace
 
 void level_detail(DetailCanvas& canvas, const CanvasState& guide, const PaintEdges& edges,
-                  const StepInput& in, const std::vector<std::uint8_t>& flag) {
-  in.threads.for_ranges(0, canvas.layout().tiles(), 1, [&](int begin, int end) {
+                  const StepInput& in, const ChangedBlocks& moving) {
+  const std::vector<int> tiles = moving.tiles();
+  in.threads.for_ranges(0, static_cast<int>(tiles.size()), 1, [&](int begin, int end) {
     TileLeveller leveller(canvas, guide, edges, in);
-    for (int t = begin; t < end; ++t) {
-      DetailTile* tile = flag[at(t)] == 0 ? nullptr : canvas.find(t);
-      if (tile != nullptr) leveller.level(*tile);
-    }
+    for (int t = begin; t < end; ++t)
+      if (DetailTile* tile = canvas.find(tiles[at(t)])) leveller.level(*tile);
   });
 }
 

@@ -2,15 +2,13 @@
 // Runny paint levels on the detail canvas, and its edge draws itself smooth: what the guide's
 // height equation does at its own scale, and what lies below that scale.
 
-#include <cstdint>
-#include <vector>
-
+#include "core/detail/changed_blocks.h"
 #include "core/detail/detail_canvas.h"
 #include "core/fluid/scheme.h"
 
 namespace pentimento {
 
-/// Relaxes the depth in the cells of flagged tiles where the guide's paint moves:
+/// Relaxes the depth in the cells of tiles in `moving` where the guide's paint moves:
 ///   d' = d + L (t - d),  L = r dt / (1 + r dt),  r = |g| (1 - Phi) d_g^3 / (3 nu) q^2
 ///   t = m(W) max(0, S + b_s - b),  S = smooth d_g / W,  W = smooth f,
 ///   f = d_g / the largest d_g around where a cell around is bare, else 1; m rises from 0 at
@@ -25,6 +23,6 @@ namespace pentimento {
 /// Source: rate of a thin film, Reynolds 1886; docs/fidelity.md. Departs from it: |g| in place of
 /// g_z, because a film on an upright canvas levels too (by surface tension).
 void level_detail(DetailCanvas& canvas, const CanvasState& guide, const PaintEdges& edges,
-                  const StepInput& in, const std::vector<std::uint8_t>& flag);
+                  const StepInput& in, const ChangedBlocks& moving);
 
 }  // namespace pentimento

@@ -10,16 +10,11 @@ namespace pentimento {
 struct Lock::Job {
   DetailCanvas& canvas;
   const CanvasState& guide;
-  const std::vector<int>& tiles;
   const Threads& threads;
+  int grain;  // strips that are worth a task
 
-  /// Calls body(index, tile) for each tile, in parallel.
-  template <typename Body>
-  void for_tiles(const Body& body) const {
-    threads.for_ranges(0, static_cast<int>(tiles.size()), 1, [&](int begin, int end) {
-      for (auto t = static_cast<std::size_t>(begin); t < static_cast<std::size_t>(end); ++t)
-        if (DetailTile* tile = canvas.find(tiles[t])) body(t, *tile);
-    });
+  BlockRow row_of(const Strip& strip, const WetPlane& q) const {
+    return block_row(q.of(*strip.tile).data(), canvas.layout(), strip.at);
   }
 };
 
@@ -28,6 +23,7 @@ constexpr int kSmoothings = 3;
 constexpr float kClose = 1e-6f;     // a float's mean of a block is not known better
 constexpr float kMostSmoothed = 4;  // ratios beyond would drag their neighbours along
 constexpr float kMostScaled = 16;   // blocks that owe more are filled
+constexpr int kCellsPerTask = 16384;
 
 void count_ratio(float ratio, LockStatistics& s) {
   const float off = ratio < 1 ? 1 - ratio : ratio - 1;
@@ -36,73 +32,34 @@ void count_ratio(float ratio, LockStatistics& s) {
   ++s.blocks[bin];
 }
 
-bool near_one(const Field<float>& ratio, const GuideBox& box) {
-  const int x0 = std::max(0, box.x0 - 1), x1 = std::min(ratio.width(), box.x1 + 1);
-  const int y0 = std::max(0, box.y0 - 1), y1 = std::min(ratio.height(), box.y1 + 1);
-  for (int y = y0; y < y1; ++y)
-    for (int x = x0; x < x1; ++x)
-      if (ratio(x, y) != 1) return false;
-  return true;
-}
-
-/// What the guide wants in the blocks of a tile, and what they hold, for each plane of a group.
-class BlockTable {
- public:
-  BlockTable(const DetailLayout& layout, const CanvasState& guide, DetailTile& tile,
-             const std::vector<WetPlane>& group, const std::vector<std::uint8_t>& split)
-      : blocks_(static_cast<std::size_t>(tile.box.width() * tile.box.height())) {
-    for (const WetPlane& q : group) {
-      std::vector<float> wanted, held(blocks_, 0.0f);
-      for (int y = tile.box.y0; y < tile.box.y1; ++y)
-        wanted.insert(wanted.end(), q.of(guide).row(y) + tile.box.x0,
-                      q.of(guide).row(y) + tile.box.x1);
-      if (q.of(tile))
-        block_means(q.of(tile).data(), layout.side(), layout.factor(), tile.box, held);
-      wanted_.push_back(std::move(wanted));
-      held_.push_back(std::move(held));
-    }
-    if (group.size() > 1) add_up_split(split);
-  }
-  float wanted(std::size_t plane, std::size_t block) const { return wanted_[plane][block]; }
-  float held(std::size_t plane, std::size_t block) const { return held_[plane][block]; }
-
- private:
-  void add_up_split(const std::vector<std::uint8_t>& split) {
-    for (std::size_t b = 0; b < blocks_; ++b) {
-      if (split[b] == 0) continue;
-      for (std::vector<std::vector<float>>* table : {&wanted_, &held_}) {
-        float sum = 0;
-        for (const std::vector<float>& plane : *table) sum += plane[b];
-        for (std::vector<float>& plane : *table) plane[b] = sum;
-      }
-    }
-  }
-
-  std::size_t blocks_;
-  std::vector<std::vector<float>> wanted_, held_;  // per plane, per block
-};
-
-std::vector<std::uint8_t> find_split(const DetailLayout& layout, const DetailTile& tile) {
-  std::vector<std::uint8_t> split;
-  for (int y = tile.box.y0; y < tile.box.y1; ++y)
-    for (int x = tile.box.x0; x < tile.box.x1; ++x)
-      split.push_back(layers_correspond(tile, layout, x, y) ? 0 : 1);
-  return split;
+/// The part of a strip that ratios other than 1 reach.
+BlockStrip off_part(const RatioRows& rows, BlockStrip strip) {
+  const auto off = [&](int x) {
+    return rows.above[x] != 1 || rows.here[x] != 1 || rows.below[x] != 1;
+  };
+  const auto reached = [&](int x) {
+    return off(x) || (x > 0 && off(x - 1)) || (x + 1 < rows.width && off(x + 1));
+  };
+  while (strip.x0 < strip.x1 && !reached(strip.x0)) ++strip.x0;
+  while (strip.x0 < strip.x1 && !reached(strip.x1 - 1)) --strip.x1;
+  return strip;
 }
 }  // namespace
 
 Lock::Lock(const DetailLayout& layout, int layers) {
-  for (int i = 0; i < layers; ++i)
-    ratio_.emplace_back(layout.guide().width, layout.guide().height, 1.0f);
+  for (std::vector<Field<float>>& ratio : ratio_)
+    for (int i = 0; i < layers; ++i)
+      ratio.emplace_back(layout.guide().width, layout.guide().height, 1.0f);
 }
 
-void Lock::lock(DetailCanvas& canvas, const CanvasState& guide, const std::vector<int>& tiles,
-                const Threads& threads) {
-  const Job job{canvas, guide, tiles, threads};
-  counted_.assign(tiles.size(), {});
-  split_.assign(tiles.size(), {});
-  job.for_tiles(
-      [&](std::size_t t, DetailTile& tile) { split_[t] = find_split(canvas.layout(), tile); });
+void Lock::lock(DetailCanvas& canvas, const CanvasState& guide,
+                const std::vector<BlockStrip>& strips, const Threads& threads) {
+  list(canvas, strips);
+  if (strips_.empty()) return;
+  const auto fine = blocks_ * static_cast<std::size_t>(canvas.layout().factor()) *
+                    static_cast<std::size_t>(canvas.layout().factor());
+  const auto cells = static_cast<int>(fine / strips_.size());
+  const Job job{canvas, guide, threads, std::max(1, kCellsPerTask / std::max(1, cells))};
   lock_group(job, {WetPlane{}});
   for (int c = 0; c < canvas.channels(); ++c) {
     Group group;
@@ -116,86 +73,138 @@ void Lock::lock(DetailCanvas& canvas, const CanvasState& guide, const std::vecto
   }
 }
 
+/// The strips that have a tile, and whose layers correspond.
+void Lock::list(DetailCanvas& canvas, const std::vector<BlockStrip>& strips) {
+  strips_.clear();
+  split_.clear();
+  for (const BlockStrip& at : strips) {
+    DetailTile* tile = canvas.find(at.tile);
+    if (tile == nullptr) continue;
+    strips_.push_back({at, tile, split_.size()});
+    for (int x = at.x0; x < at.x1; ++x)
+      split_.push_back(layers_correspond(*tile, canvas.layout(), x, at.y) ? 0 : 1);
+  }
+  blocks_ = split_.size();
+  counted_.assign(strips_.size(), {});
+  off_.assign(strips_.size(), 0);
+  if (owed_.size() < strips_.size()) owed_.resize(strips_.size());
+}
+
+template <typename Body>
+void Lock::for_strips(const Job& job, const Body& body) {
+  job.threads.for_ranges(0, static_cast<int>(strips_.size()), job.grain, [&](int begin, int end) {
+    for (auto s = static_cast<std::size_t>(begin); s < static_cast<std::size_t>(end); ++s) body(s);
+  });
+}
+
 void Lock::lock_group(const Job& job, const Group& group) {
-  const int k = job.canvas.layout().factor(), side = job.canvas.layout().side();
-  for (int i = 0; i < kSmoothings; ++i) {
-    if (!find_ratios(job, group, i == 0)) break;
-    job.for_tiles([&](std::size_t, DetailTile& tile) {
+  held_.assign(group.size() * blocks_, 0.0f);
+  for_strips(job, [&](std::size_t s) {
+    for (std::size_t p = 0; p < group.size(); ++p)
+      if (group[p].of(*strips_[s].tile))
+        block_means(job.row_of(strips_[s], group[p]), held_of(p, strips_[s]));
+    find_ratios(job, group, s, 0);
+  });
+  const auto any_off = [&] {
+    return std::any_of(off_.begin(), off_.end(), [](std::uint8_t off) { return off != 0; });
+  };
+  for (int pass = 1; pass <= kSmoothings && any_off(); ++pass) {
+    for_strips(job, [&](std::size_t s) {
       for (std::size_t p = 0; p < group.size(); ++p)
-        if (group[p].of(tile) && !near_one(ratio_[p], tile.box))
-          scale_by_field(ratio_[p].view(), k, tile.box, group[p].of(tile).data(), side);
+        if (group[p].of(*strips_[s].tile)) smooth(job, group[p], p, strips_[s], pass);
+      if (pass < kSmoothings) find_ratios(job, group, s, pass);
     });
   }
+  for (std::size_t p = 0; p < group.size(); ++p)
+    for (const Strip& strip : strips_)
+      for (std::vector<Field<float>>& ratio : ratio_)
+        std::fill_n(ratio[p].row(strip.at.y) + strip.at.x0, strip.at.blocks(), 1.0f);
+  for_strips(job, [&](std::size_t s) { make_exact(job, group, s); });
+  fill_owed_blocks(job, group);
+}
+
+/// Multiplies by the ratios of the pass before; keeps `held_` up to date.
+void Lock::smooth(const Job& job, const WetPlane& q, std::size_t plane, const Strip& strip,
+                  int pass) {
+  const Field<float>& ratio = ratio_[at(pass + 1) % 2][plane];
+  const BlockStrip part = off_part(ratio_rows(ratio, 0, strip.at.y), strip.at);
+  if (part.blocks() <= 0) return;
+  scale_by_field(ratio_rows(ratio, part.x0, part.y),
+                 block_row(q.of(*strip.tile).data(), job.canvas.layout(), part),
+                 held_of(plane, strip).subspan(at(part.x0 - strip.at.x0), at(part.blocks())));
+}
+
+/// What the guide wants in a block, and what it holds: of a plane, or of all layers of a pigment.
+Lock::Claim Lock::claim(const Job& job, const Group& group, std::size_t plane, const Strip& strip,
+                        int block) const {
+  const std::size_t b = strip.first + at(block);
+  const int x = strip.at.x0 + block, y = strip.at.y;
+  if (split_[b] == 0 || group.size() == 1)
+    return {group[plane].of(job.guide)(x, y), held_[plane * blocks_ + b]};
+  Claim sum;
   for (std::size_t p = 0; p < group.size(); ++p) {
-    for (const int t : job.tiles) {
-      const GuideBox box = job.canvas.layout().box(t);
-      for (int y = box.y0; y < box.y1; ++y)
-        std::fill_n(ratio_[p].row(y) + box.x0, box.width(), 1.0f);
+    sum.wanted += group[p].of(job.guide)(x, y);
+    sum.held += held_[p * blocks_ + b];
+  }
+  return sum;
+}
+
+void Lock::find_ratios(const Job& job, const Group& group, std::size_t s, int pass) {
+  const Strip& strip = strips_[s];
+  off_[s] = 0;
+  for (std::size_t p = 0; p < group.size(); ++p) {
+    float* ratio = ratio_[at(pass) % 2][p].row(strip.at.y) + strip.at.x0;
+    for (int i = 0; i < strip.at.blocks(); ++i) {
+      ratio[i] = 1;
+      const Claim c = claim(job, group, p, strip, i);
+      if (!(c.wanted > 0) || !(c.held > 0)) continue;
+      const float r = c.wanted / c.held;
+      if (pass == 0) count_ratio(r, counted_[s]);
+      if (r > 1 - kClose && r < 1 + kClose) continue;
+      ratio[i] = std::clamp(r, 1 / kMostSmoothed, kMostSmoothed);
+      off_[s] = 1;
     }
   }
-  make_exact(job, group);
 }
 
-/// The ratios of all blocks of the tiles. False if all are 1.
-bool Lock::find_ratios(const Job& job, const Group& group, bool count) {
-  off_.assign(job.tiles.size(), 0);
-  job.for_tiles([&](std::size_t t, DetailTile& tile) {
-    const BlockTable table(job.canvas.layout(), job.guide, tile, group, split_[t]);
-    for (std::size_t p = 0; p < group.size(); ++p) {
-      std::size_t block = 0;
-      for (int y = tile.box.y0; y < tile.box.y1; ++y) {
-        float* ratio = ratio_[p].row(y);
-        for (int x = tile.box.x0; x < tile.box.x1; ++x, ++block) {
-          ratio[x] = 1;
-          const float wanted = table.wanted(p, block), held = table.held(p, block);
-          if (!(wanted > 0) || !(held > 0)) continue;
-          const float r = wanted / held;
-          if (count) count_ratio(r, counted_[t]);
-          if (r > 1 - kClose && r < 1 + kClose) continue;
-          ratio[x] = std::clamp(r, 1 / kMostSmoothed, kMostSmoothed);
-          off_[t] = 1;
-        }
+void Lock::make_exact(const Job& job, const Group& group, std::size_t s) {
+  const Strip& strip = strips_[s];
+  owed_[s].clear();
+  std::array<float, kMostTileSide> scale;
+  for (std::size_t p = 0; p < group.size(); ++p) {
+    if (!group[p].of(*strip.tile)) continue;
+    bool all_one = true;
+    for (int i = 0; i < strip.at.blocks(); ++i) {
+      const Claim c = claim(job, group, p, strip, i);
+      float& by = scale[at(i)];
+      by = 1;
+      if (!(c.wanted > 0)) {
+        by = c.held > 0 ? 0.0f : 1.0f;
+      } else if (c.wanted <= kMostScaled * c.held) {
+        by = c.wanted / c.held;
+      } else {
+        // What the guide has in this very layer, split or not.
+        const int x = strip.at.x0 + i, y = strip.at.y;
+        owed_[s].push_back({x, y, static_cast<int>(p), group[p].of(job.guide)(x, y), {}});
       }
+      all_one = all_one && by == 1;
     }
-  });
-  return std::any_of(off_.begin(), off_.end(), [](std::uint8_t off) { return off != 0; });
+    if (!all_one) scale_blocks({scale.data(), at(strip.at.blocks())}, job.row_of(strip, group[p]));
+  }
+  counted_[s].owed += static_cast<std::int64_t>(owed_[s].size());
 }
 
-void Lock::make_exact(const Job& job, const Group& group) {
-  const int k = job.canvas.layout().factor(), side = job.canvas.layout().side();
-  owed_.assign(job.tiles.size(), {});
-  job.for_tiles([&](std::size_t t, DetailTile& tile) {
-    const BlockTable table(job.canvas.layout(), job.guide, tile, group, split_[t]);
-    std::vector<float> scale(static_cast<std::size_t>(tile.box.width() * tile.box.height()));
-    for (std::size_t p = 0; p < group.size(); ++p) {
-      if (!group[p].of(tile)) continue;
-      std::size_t block = 0;
-      for (int y = tile.box.y0; y < tile.box.y1; ++y) {
-        for (int x = tile.box.x0; x < tile.box.x1; ++x, ++block) {
-          const float wanted = table.wanted(p, block), held = table.held(p, block);
-          scale[block] = 1;
-          if (!(wanted > 0)) {
-            scale[block] = 0;
-          } else if (wanted <= kMostScaled * held) {
-            scale[block] = wanted / held;
-          } else {
-            // What the guide has in this very layer, split or not.
-            owed_[t].push_back({x, y, static_cast<int>(p), group[p].of(job.guide)(x, y), {}});
-          }
-        }
-      }
-      scale_blocks(scale, k, tile.box, group[p].of(tile).data(), side);
-    }
-    counted_[t].owed += static_cast<std::int64_t>(owed_[t].size());
+/// All are decided from the canvas as it is before any is written: neighbours may both owe.
+void Lock::fill_owed_blocks(const Job& job, const Group& group) {
+  const auto owes = [](const std::vector<OwedBlock>& blocks) { return !blocks.empty(); };
+  if (std::none_of(owed_.begin(), owed_.begin() + static_cast<std::ptrdiff_t>(strips_.size()),
+                   owes))
+    return;
+  for_strips(job, [&](std::size_t s) {
+    for (OwedBlock& block : owed_[s]) fill_owed(job.canvas, group[at(block.plane)], block);
   });
-  // All are decided from the canvas as it is before any is written: neighbours may both owe.
-  job.for_tiles([&](std::size_t t, DetailTile&) {
-    for (OwedBlock& block : owed_[t])
-      fill_owed(job.canvas, group[static_cast<std::size_t>(block.plane)], block);
-  });
-  job.for_tiles([&](std::size_t t, DetailTile&) {
-    for (const OwedBlock& block : owed_[t])
-      store_owed(job.canvas, group[static_cast<std::size_t>(block.plane)], block);
+  for_strips(job, [&](std::size_t s) {
+    for (const OwedBlock& block : owed_[s]) store_owed(job.canvas, group[at(block.plane)], block);
   });
 }
 

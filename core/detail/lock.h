@@ -5,8 +5,10 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
+#include "core/detail/changed_blocks.h"
 #include "core/detail/detail_canvas.h"
 #include "core/detail/owed_blocks.h"
 #include "core/threads.h"
@@ -25,7 +27,7 @@ class Lock {
  public:
   Lock(const DetailLayout& layout, int layers);
 
-  /// Locks the tiles (ascending, each once) to the guide; the others are locked already.
+  /// Locks blocks (ChangedBlocks::strips()) to the guide; the others are locked already.
   ///   3 times: r = guide / block mean, within [1/4, 4], 1 where either is 0; value *= bilinear r
   ///   then value *= guide / block mean, whatever that is; blocks that owe more than 16 times what
   ///   they hold are filled (owed_blocks.h)
@@ -33,8 +35,9 @@ class Lock {
   /// not correspond (open_cells.h).
   /// Scheme: multiplicative, so nothing becomes negative and bare cells stay bare.
   /// Stable: the last ratio is exact; the first are bounded.
-  /// Source: docs/fidelity.md. Departs from it: tiles outside the list count as ratio 1.
-  void lock(DetailCanvas& canvas, const CanvasState& guide, const std::vector<int>& tiles,
+  /// Source: docs/fidelity.md. Departs from it: blocks outside the list count as ratio 1, so list
+  /// the neighbours of what changed.
+  void lock(DetailCanvas& canvas, const CanvasState& guide, const std::vector<BlockStrip>& strips,
             const Threads& threads);
 
   const LockStatistics& statistics() const { return statistics_; }
@@ -43,13 +46,37 @@ class Lock {
   /// What is locked together: the depth alone, or one pigment in all its layers.
   using Group = std::vector<WetPlane>;
   struct Job;
+  /// Blocks [x0, x1) of a row in an existing tile.
+  struct Strip {
+    BlockStrip at;
+    DetailTile* tile = nullptr;
+    std::size_t first = 0;  // of its blocks in the tables
+  };
+  struct Claim {
+    float wanted = 0, held = 0;
+  };
+  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+  std::span<float> held_of(std::size_t plane, const Strip& strip) {
+    return {held_.data() + plane * blocks_ + strip.first, at(strip.at.blocks())};
+  }
+  void list(DetailCanvas& canvas, const std::vector<BlockStrip>& strips);
+  template <typename Body>
+  void for_strips(const Job& job, const Body& body);
   void lock_group(const Job& job, const Group& group);
-  bool find_ratios(const Job& job, const Group& group, bool count);
-  void make_exact(const Job& job, const Group& group);
+  void smooth(const Job& job, const WetPlane& q, std::size_t plane, const Strip& strip, int pass);
+  Claim claim(const Job& job, const Group& group, std::size_t plane, const Strip& strip,
+              int block) const;
+  void find_ratios(const Job& job, const Group& group, std::size_t s, int pass);
+  void make_exact(const Job& job, const Group& group, std::size_t s);
+  void fill_owed_blocks(const Job& job, const Group& group);
 
-  std::vector<Field<float>> ratio_;  // per plane of a group, of the guide's size; 1 between calls
-  std::vector<std::vector<std::uint8_t>> split_;  // per tile: blocks whose layers differ
-  std::vector<std::uint8_t> off_;
+  std::vector<Strip> strips_;
+  std::size_t blocks_ = 0;
+  // Per plane of a group, of the guide's size; 1 between calls. Read and written in turn.
+  std::array<std::vector<Field<float>>, 2> ratio_;
+  std::vector<float> held_;          // per plane of a group, per block of the strips
+  std::vector<std::uint8_t> split_;  // per block: layers do not correspond
+  std::vector<std::uint8_t> off_;    // per strip: has a ratio that is not 1
   std::vector<LockStatistics> counted_;
   std::vector<std::vector<OwedBlock>> owed_;
   LockStatistics statistics_;

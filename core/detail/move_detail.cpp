@@ -152,17 +152,29 @@ struct LineTask {
   const TileRun* run;
   int begin, end;
 };
+
+/// Those that something moves along.
+LineTask moving_lines(const TileRun& run, const ChangedBlocks& moving, int factor) {
+  int first = run.breadth(), last = 0;
+  for (const int tile : run.tiles) {
+    const GuideBox box = moving.box(tile);
+    const bool along_x = run.axis == LineAxis::kX;
+    first = std::min(first, along_x ? box.y0 - run.box.y0 : box.x0 - run.box.x0);
+    last = std::max(last, along_x ? box.y1 - run.box.y0 : box.x1 - run.box.x0);
+  }
+  return {&run, first * factor, last * factor};
+}
 }  // namespace
 
 void move_detail(DetailCanvas& canvas, const PaintEdges& edges, LineAxis axis,
-                 const std::vector<std::uint8_t>& moving, const MoveDetail& move,
-                 const Threads& threads) {
+                 const ChangedBlocks& moving, const MoveDetail& move, const Threads& threads) {
   const std::vector<TileRun> runs = runs_of(canvas.layout(), moving, axis);
   std::vector<LineTask> tasks;
+  const int k = canvas.layout().factor();
   for (const TileRun& run : runs) {
-    const int lines = run.breadth() * canvas.layout().factor();
-    for (int line = 0; line < lines; line += kLinesPerTask)
-      tasks.push_back({&run, line, std::min(line + kLinesPerTask, lines)});
+    const LineTask lines = moving_lines(run, moving, k);
+    for (int line = lines.begin; line < lines.end; line += kLinesPerTask)
+      tasks.push_back({&run, line, std::min(line + kLinesPerTask, lines.end)});
   }
   threads.for_ranges(0, static_cast<int>(tasks.size()), 1, [&](int begin, int end) {
     LineMover mover(canvas, edges, move);

@@ -1,10 +1,9 @@
 #pragma once
 // The paint of the detail canvas goes where the guide's paint went.
 
-#include <cstdint>
 #include <span>
-#include <vector>
 
+#include "core/detail/changed_blocks.h"
 #include "core/detail/detail_canvas.h"
 #include "core/detail/tile_line.h"
 #include "core/fluid/paint_edges.h"
@@ -18,10 +17,10 @@ struct MoveDetail {
 };
 
 /// Moves depth and every channel of every layer along one axis, line by line of fine cells, with
-/// the guide's edges interpolated between its rows (across) and its edges (along), in the tiles
-/// that are flagged: what comes into others is lost, so flag the neighbours of what moves.
+/// the guide's edges interpolated between its rows (across) and its edges (along). `moving`: the
+/// cells beside edges that move, and at least one around them; paint comes no further than between
+/// edges that move.
 void move_detail(DetailCanvas& canvas, const PaintEdges& edges, LineAxis axis,
-                 const std::vector<std::uint8_t>& moving, const MoveDetail& move,
-                 const Threads& threads);
+                 const ChangedBlocks& moving, const MoveDetail& move, const Threads& threads);
 
 }  // namespace pentimento

@@ -5,19 +5,15 @@
 #include "core/detail/dry_detail.h"
 #include "core/detail/level_detail.h"
 #include "core/detail/move_detail.h"
-#include "core/detail/moving_tiles.h"
+#include "core/detail/moving_blocks.h"
 #include "core/detail/restore_detail.h"
 #include "core/fluid/scheme.h"
 
 namespace pentimento {
 
 namespace {
-std::vector<int> listed(const std::vector<std::uint8_t>& flag) {
-  std::vector<int> tiles;
-  for (std::size_t t = 0; t < flag.size(); ++t)
-    if (flag[t] != 0) tiles.push_back(static_cast<int>(t));
-  return tiles;
-}
+// A tile is looked through for planes to free when it has rested for so long: strokes come back.
+constexpr std::int64_t kRest = 32;
 
 void zero_edges(PaintEdges& edges, const std::vector<conservative::Run>& runs) {
   for (auto* axis : {&edges.x, &edges.y})
@@ -36,15 +32,14 @@ Refinement::Refinement(RefinementSetup setup, const DetailGround& ground, TileSt
       stamp_(canvas_, setup_.amount, threads),
       lock_(canvas_.layout(), setup_.layers),
       edges_(setup_.guide, setup_.layers),
-      changed_(static_cast<std::size_t>(canvas_.layout().tiles()), 0) {}
-
-void Refinement::flag(const std::vector<int>& tiles) {
-  for (const int t : tiles) changed_[static_cast<std::size_t>(t)] = 1;
-}
+      changed_(canvas_.layout()),
+      moving_(canvas_.layout()),
+      locked_(static_cast<std::size_t>(canvas_.layout().tiles()), -1) {}
 
 void Refinement::lay(const StampPlan& plan, const CanvasState& guide) {
   stamp_.lift(plan, guide);
-  flag(stamp_.tiles());
+  const GuideBox box = stamp_.box();
+  changed_.add({box.x0 - 1, box.x1 + 1, box.y0 - 1, box.y1 + 1});
 }
 
 void Refinement::laid(const StampPlan& plan, const CanvasState& guide) {
@@ -53,30 +48,48 @@ void Refinement::laid(const StampPlan& plan, const CanvasState& guide) {
 
 void Refinement::moved(const CanvasState& guide, const StepInput& in,
                        const std::vector<conservative::Run>& runs) {
-  const std::vector<std::uint8_t> moving = moving_tiles(canvas_.layout(), edges_, runs);
-  const std::vector<int> tiles = listed(moving);
-  for (const int t : tiles) canvas_.cover(t, guide);
+  moving_.clear();
+  add_moving(edges_, runs, moving_);
+  const std::vector<int> tiles = moving_.tiles();
+  if (tiles.empty()) return;
+  for (const int t : tiles) canvas_.cover(t, guide, moving_.box(t));
   const MoveDetail move{in.model.pigment_residue, setup_.amount};
   const LineAxis first = edges_.x_first ? LineAxis::kX : LineAxis::kY;
   const LineAxis second = edges_.x_first ? LineAxis::kY : LineAxis::kX;
   for (const LineAxis axis : {first, second})
-    move_detail(canvas_, edges_, axis, moving, move, threads_);
-  level_detail(canvas_, guide, edges_, in, moving);
-  flag(tiles);
+    move_detail(canvas_, edges_, axis, moving_, move, threads_);
+  level_detail(canvas_, guide, edges_, in, moving_);
+  for (const BlockStrip& strip : moving_.strips()) changed_.add(strip.y, strip.x0, strip.x1);
   zero_edges(edges_, runs);
 }
 
 void Refinement::stepped(const CanvasState& guide, const StepInput&) {
-  const std::vector<int> tiles = listed(changed_);
-  if (tiles.empty() && recent_.empty()) return;
-  for (const int t : tiles) canvas_.cover(t, guide);
-  if (setup_.locked) lock_.lock(canvas_, guide, tiles, threads_);
-  for (const int t : recent_)
-    if (changed_[static_cast<std::size_t>(t)] == 0) canvas_.prune(t, guide);
-  recent_ = tiles;
-  for (const int t : tiles) canvas_.touch(t);
-  canvas_.trim();
-  std::fill(changed_.begin(), changed_.end(), std::uint8_t{0});
+  ++steps_;
+  if (!changed_.empty()) {
+    for (const int t : changed_.tiles()) {
+      canvas_.cover(t, guide, changed_.box(t));
+      canvas_.touch(t);
+      std::int64_t& locked = locked_[static_cast<std::size_t>(t)];
+      if (locked < 0) idle_.push_back(t);
+      locked = steps_;
+    }
+    if (setup_.locked) lock_.lock(canvas_, guide, changed_.strips(), threads_);
+    changed_.clear();
+    canvas_.trim();
+  }
+  free_idle_planes(guide);
+}
+
+/// Wet planes in which the guide has nothing any more.
+void Refinement::free_idle_planes(const CanvasState& guide) {
+  const auto rests = [&](int t) {
+    std::int64_t& locked = locked_[static_cast<std::size_t>(t)];
+    if (steps_ - locked < kRest) return false;
+    canvas_.prune(t, guide);
+    locked = -1;
+    return true;
+  };
+  std::erase_if(idle_, rests);
 }
 
 void Refinement::drying(const CanvasState&, const ChannelBasis& basis, const Model& model) {
@@ -85,18 +98,18 @@ void Refinement::drying(const CanvasState&, const ChannelBasis& basis, const Mod
 
 void Refinement::cleared() {
   canvas_.clear();
-  recent_.clear();
-  std::fill(changed_.begin(), changed_.end(), std::uint8_t{0});
+  for (const int t : idle_) locked_[static_cast<std::size_t>(t)] = -1;
+  idle_.clear();
+  changed_.clear();
 }
 
 void Refinement::restored(const CanvasState& guide) {
   cleared();
   restore_detail(canvas_, guide, threads_);
   if (!setup_.locked) return;
-  std::vector<int> all;
-  for (int t = 0; t < canvas_.layout().tiles(); ++t)
-    if (canvas_.find(t) != nullptr) all.push_back(t);
-  lock_.lock(canvas_, guide, all, threads_);
+  ChangedBlocks all(canvas_.layout());
+  all.add({0, setup_.guide.width, 0, setup_.guide.height});
+  lock_.lock(canvas_, guide, all.strips(), threads_);
 }
 
 }  // namespace pentimento

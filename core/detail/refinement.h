@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/canvas_follower.h"
+#include "core/detail/changed_blocks.h"
 #include "core/detail/detail_canvas.h"
 #include "core/detail/detail_stamp.h"
 #include "core/detail/lock.h"
@@ -43,7 +44,7 @@ class Refinement : public CanvasFollower {
   const LockStatistics& lock_statistics() const { return lock_.statistics(); }
 
  private:
-  void flag(const std::vector<int>& tiles);
+  void free_idle_planes(const CanvasState& guide);
 
   RefinementSetup setup_;
   const Threads& threads_;
@@ -51,8 +52,12 @@ class Refinement : public CanvasFollower {
   DetailStamp stamp_;
   Lock lock_;
   PaintEdges edges_;
-  std::vector<std::uint8_t> changed_;  // tiles, since the last lock
-  std::vector<int> recent_;            // tiles locked in the last step
+  ChangedBlocks changed_;  // since the last lock, and their neighbours
+  ChangedBlocks moving_;   // in this part of a step
+  // When each tile was last locked; tiles locked since they were last looked through.
+  std::int64_t steps_ = 0;
+  std::vector<std::int64_t> locked_;
+  std::vector<int> idle_;
 };
 
 }  // namespace pentimento

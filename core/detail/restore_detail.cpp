@@ -13,7 +13,11 @@ void enlarge(const Field<float>& guide, DetailCanvas& canvas, const DetailTile& 
   const int side = canvas.layout().side();
   if (!plane && !canvas.make(plane)) return;
   std::fill_n(plane.data(), static_cast<std::size_t>(side) * static_cast<std::size_t>(side), 1.0f);
-  scale_by_field(guide.view(), canvas.layout().factor(), tile.box, plane.data(), side);
+  std::vector<float> mean(static_cast<std::size_t>(tile.box.width()));
+  for (int y = tile.box.y0; y < tile.box.y1; ++y)
+    scale_by_field(
+        ratio_rows(guide, tile.box.x0, y),
+        block_row(plane.data(), canvas.layout(), {tile.tile, y, tile.box.x0, tile.box.x1}), mean);
 }
 
 bool has_dried(const CanvasState& guide, const GuideBox& box) {

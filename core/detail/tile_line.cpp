@@ -26,7 +26,7 @@ void for_pieces(DetailCanvas& canvas, const TileRun& run, const WetPlane& q, int
 }
 }  // namespace
 
-std::vector<TileRun> runs_of(const DetailLayout& layout, const std::vector<std::uint8_t>& flag,
+std::vector<TileRun> runs_of(const DetailLayout& layout, const ChangedBlocks& blocks,
                              LineAxis axis) {
   const bool along_x = axis == LineAxis::kX;
   const int lines = along_x ? layout.rows() : layout.columns();
@@ -36,7 +36,7 @@ std::vector<TileRun> runs_of(const DetailLayout& layout, const std::vector<std::
     bool open = false;
     for (int i = 0; i < length; ++i) {
       const int tile = along_x ? layout.tile_of(i, line) : layout.tile_of(line, i);
-      if (flag[static_cast<std::size_t>(tile)] == 0) {
+      if (!blocks.has(tile)) {
         open = false;
         continue;
       }

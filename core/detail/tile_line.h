@@ -2,17 +2,18 @@
 // Lines of fine cells across neighbouring tiles: what moves along an axis is loaded from the tiles
 // into one array, and stored back.
 
-#include <cstdint>
 #include <span>
 #include <vector>
 
+#include "core/detail/changed_blocks.h"
 #include "core/detail/detail_canvas.h"
 
 namespace pentimento {
 
 enum class LineAxis { kX, kY };
 
-/// Tiles side by side (kX) or one below the other (kY), all flagged; may lack planes or not exist.
+/// Tiles side by side (kX) or one below the other (kY), all with blocks in the list; may lack
+/// planes or not exist.
 struct TileRun {
   LineAxis axis = LineAxis::kX;
   std::vector<int> tiles;
@@ -22,7 +23,7 @@ struct TileRun {
   int breadth() const { return axis == LineAxis::kX ? box.height() : box.width(); }
 };
 
-std::vector<TileRun> runs_of(const DetailLayout& layout, const std::vector<std::uint8_t>& flag,
+std::vector<TileRun> runs_of(const DetailLayout& layout, const ChangedBlocks& blocks,
                              LineAxis axis);
 
 /// Fine cells [begin, end) of line `line` (counted across the run); absent planes read as 0.

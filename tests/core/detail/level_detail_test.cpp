@@ -41,14 +41,12 @@ class LevelTest : public ::testing::Test {
     for (int y = 0; y < 32; ++y)
       for (int x = 0; x < 32; ++x) guide_.channel(0, 0)(x, y) *= pigment_scale;
     const StepInput in{model_, {0, 0, 9.81f}, 1.0f / 45, contact_, amount_, threads_};
-    const std::vector<std::uint8_t> all(static_cast<std::size_t>(layout_.tiles()), 1);
-    std::vector<int> tiles;
-    for (int t = 0; t < layout_.tiles(); ++t)
-      if (canvas_.find(t) != nullptr) tiles.push_back(t);
+    ChangedBlocks all(layout_);
+    all.add({0, 32, 0, 32});
     Lock lock(layout_, 1);
     for (int i = 0; i < steps; ++i) {
       level_detail(canvas_, guide_, edges_, in, all);
-      lock.lock(canvas_, guide_, tiles, threads_);
+      lock.lock(canvas_, guide_, all.strips(), threads_);
     }
   }
   float depth_at(int x, int y) {

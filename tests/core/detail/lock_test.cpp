@@ -15,7 +15,9 @@ class LockTest : public ::testing::Test {
   float at(int x, int y) { return depth()[y * layout_.side() + x]; }
   void lock() {
     canvas_.cover(0, guide_);
-    lock_.lock(canvas_, guide_, {0}, Threads(1));
+    ChangedBlocks all(layout_);
+    all.add({0, 16, 0, 16});
+    lock_.lock(canvas_, guide_, all.strips(), Threads(1));
   }
   double off() {
     double most = 0;
@@ -68,6 +70,22 @@ TEST_F(LockTest, FillsWhatIsOwedBesideItsNeighbours) {
   EXPECT_LT(off(), 1e-8);
   EXPECT_GT(at(64, 60), 2 * at(70, 60));  // leans on the paint it came from
   EXPECT_GT(lock_.statistics().owed, 0);
+}
+
+TEST_F(LockTest, LeavesOtherBlocksAlone) {
+  for (int y = 0; y < 16; ++y)
+    for (int x = 0; x < 16; ++x) guide_.depth_m(x, y) = 0.02f;
+  canvas_.cover(0, guide_);
+  for (int i = 0; i < 128 * 128; ++i) depth()[i] = 0.01f;
+  ChangedBlocks some(layout_);
+  some.add({4, 9, 5, 7});
+  lock_.lock(canvas_, guide_, some.strips(), Threads(1));
+  for (int y = 0; y < 16; ++y)
+    for (int x = 0; x < 16; ++x) {
+      const bool inside = x >= 4 && x < 9 && y >= 5 && y < 7;
+      EXPECT_NEAR(test::block_mean(canvas_, WetPlane{}, x, y), inside ? 0.02 : 0.01, 1e-8);
+    }
+  EXPECT_EQ(at(4 * 8 - 1, 45), 0.01f);
 }
 
 TEST_F(LockTest, CountsRatios) {

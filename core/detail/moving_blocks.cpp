@@ -1,0 +1,50 @@
+#include "core/detail/moving_blocks.h"
+
+#include <algorithm>
+
+#include "core/fluid/conservative/kernel.h"
+
+namespace pentimento {
+
+namespace {
+constexpr int kAround = 2;
+constexpr int kLookedAt = 64;  // edges at a time
+
+PENTIMENTO_KERNEL
+bool any_moves(const float* edge, int n) {
+  bool any = false;
+  for (int i = 0; i < n; ++i) any |= edge[i] != 0;
+  return any;
+}
+
+/// Calls body(x0, x1) for pieces of a row that have edges that move, all of them inside.
+template <typename Body>
+void for_moving(const float* edge, int x0, int x1, const Body& body) {
+  for (int x = x0; x < x1; x += kLookedAt) {
+    int first = x, last = std::min(x + kLookedAt, x1);
+    if (!any_moves(edge + first, last - first)) continue;
+    while (edge[first] == 0) ++first;
+    while (edge[last - 1] == 0) --last;
+    body(first, last);
+  }
+}
+
+void add_around(ChangedBlocks& blocks, int y0, int y1, int x0, int x1) {
+  for (int y = y0 - kAround; y < y1 + kAround; ++y) blocks.add(y, x0 - kAround, x1 + kAround);
+}
+}  // namespace
+
+void add_moving(const PaintEdges& edges, const std::vector<conservative::Run>& runs,
+                ChangedBlocks& blocks) {
+  for (const conservative::Run& run : runs) {
+    for (const Field<float>& plane : edges.x)
+      for_moving(plane.row(run.y), run.x0, run.x1, [&](int first, int last) {
+        add_around(blocks, run.y, run.y + 1, first, last + 1);
+      });
+    for (const Field<float>& plane : edges.y)
+      for_moving(plane.row(run.y), run.x0, run.x1,
+                 [&](int first, int last) { add_around(blocks, run.y, run.y + 2, first, last); });
+  }
+}
+
+}  // namespace pentimento
