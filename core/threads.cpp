@@ -32,11 +32,17 @@ struct Threads::Arena {
     }
   }
   int count;
+  bool backwards = false;
   std::optional<tbb::global_control> more_workers;
   mutable tbb::task_arena arena;
 };
 
 Threads::Threads(int count) : arena_(std::make_unique<Arena>(resolved(count))) {}
+Threads Threads::backwards() {
+  Threads threads(1);
+  threads.arena_->backwards = true;
+  return threads;
+}
 Threads::~Threads() = default;
 Threads::Threads(Threads&&) noexcept = default;
 Threads& Threads::operator=(Threads&&) noexcept = default;
@@ -48,6 +54,11 @@ int Threads::count() const {
 void Threads::for_ranges(int begin, int end, int grain,
                          const std::function<void(int, int)>& body) const {
   if (end <= begin) return;
+  if (arena_->backwards) {
+    for (int last = end; last > begin; last -= std::min(grain, last - begin))
+      body(std::max(begin, last - grain), last);
+    return;
+  }
   if (arena_->count == 1 || end - begin <= grain) {
     body(begin, end);
     return;

@@ -11,6 +11,9 @@ class Threads {
  public:
   /// `count` threads, the calling one included; 0 = all the machine has.
   explicit Threads(int count = 1);
+  /// One thread that takes the smallest ranges from the last to the first: what depends on the
+  /// order shows. For tests.
+  static Threads backwards();
   ~Threads();
   Threads(Threads&&) noexcept;
   Threads& operator=(Threads&&) noexcept;

@@ -240,6 +240,7 @@ void Replay::conclude() {
   report_.threads = threads_.count();
   report_.paint = paint_lines(*simulation_);
   report_.fluid = simulation_->statistics();
+  if (fine_) report_.lock = fine_->refinement().lock_statistics();
   report_.phases = watch_.phases();
   report_.wall_s = watch_.total_s();
   report_.peak_memory_bytes = peak_memory_bytes();

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 #include "replay/json_object.h"
 
@@ -39,6 +40,20 @@ std::string paint_json(const std::vector<PaintLine>& paint) {
       .add_json("medium", medium_json(paint.front()))
       .add_json("pigments", json_array(pigments))
       .text();
+}
+
+/// Shares of the blocks that had paint before they were locked.
+std::string lock_json(const LockStatistics& lock) {
+  const auto blocks = std::accumulate(lock.blocks.begin(), lock.blocks.end(), std::int64_t{0});
+  JsonObject json;
+  json.add("blocks", blocks).add("owed", lock.owed);
+  std::int64_t within = 0;
+  for (std::size_t i = 0; i < LockStatistics::kBound.size(); ++i) {
+    within += lock.blocks[i];
+    json.add(fmt::format("within_{}", LockStatistics::kBound[i]),
+             static_cast<double>(within) / static_cast<double>(std::max<std::int64_t>(1, blocks)));
+  }
+  return json.text();
 }
 
 std::string outputs_json(const std::vector<WrittenFile>& outputs) {
@@ -96,6 +111,7 @@ std::string report_json(const JobReport& report) {
     for (const auto& [name, value] : report.fluid) fluid.add(name, value);
     json.add_json("fluid", fluid.text());
   }
+  if (report.lock) json.add_json("lock", lock_json(*report.lock));
   std::vector<std::string> phases;
   for (const Phase& phase : report.phases) {
     phases.push_back(JsonObject().add("name", phase.name).add("wall_s", phase.wall_s).text());

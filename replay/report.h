@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/detail/lock.h"
 #include "core/paint_account.h"
 #include "core/simulation.h"
 
@@ -53,6 +54,8 @@ struct JobReport {
   std::string other_painting;  // why it is not the painting of the log's grid; empty: it is
   std::string log_sha256;
   std::vector<PaintLine> paint;  // the medium first, then a line per channel
+  /// How the finer canvas was locked to the guide; nothing at detail 1.
+  std::optional<LockStatistics> lock;
   /// What the fluid scheme measured of itself: awake shares, largest speed and depth...
   std::vector<std::pair<std::string, double>> fluid;
   std::vector<Phase> phases;

@@ -91,6 +91,19 @@ TEST(CommandRender, ALargerPictureIsTheSamePainting) {
   EXPECT_EQ(place.run("render a.jsonl -o c.png --scale 2 --detail 40").code, 2);
 }
 
+TEST(CommandRender, AScratchFolderChangesNothing) {
+  const Workplace place;
+  const Ran whole = place.run("render a.jsonl --scale 8 -o a.png -o a.h5 --json");
+  ASSERT_EQ(whole.code, 0) << whole.err;
+  EXPECT_NE(whole.out.find("\"lock\":{\"blocks\":"), std::string::npos) << whole.out;
+  const Ran tight = place.run(
+      "render a.jsonl --scale 8 --scratch . --memory-limit 150M --threads 7 -o b.png -o b.h5");
+  ASSERT_EQ(tight.code, 0) << tight.err;
+  EXPECT_EQ(place.run("compare a.png b.png").code, 0);
+  EXPECT_EQ(place.run("compare a.h5 b.h5").code, 0);
+  EXPECT_EQ(place.files(), 5u);  // with the log: nothing is left of the scratch file
+}
+
 TEST(CommandRender, ThePublishedFluidHasNoFinerCanvas) {
   const Workplace place;
   const Ran larger = place.run("render a.jsonl -o a.png --scale 2 --scheme paper");

@@ -1,7 +1,9 @@
 #pragma once
 // A guide with its detail canvas, painted by a few crossing strokes; and what a block holds.
 
+#include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <memory>
 #include <vector>
 
@@ -27,10 +29,15 @@ class PlainGround : public DetailGround {
 class Painted {
  public:
   Painted(int width, int factor, int thread_count = 1, bool locked = true)
-      : threads_(thread_count), sim_(setup_of(width), threads_) {
+      : Painted(width, factor, Threads(thread_count), locked, {}) {}
+
+  /// The tiles live in `where`, whatever its blocks' size.
+  Painted(int width, int factor, Threads threads, bool locked, TileStoreOptions where)
+      : threads_(std::move(threads)), sim_(setup_of(width), threads_) {
     const CanvasState& state = sim_.state();
     const auto side = static_cast<std::size_t>(DetailLayout(state.geometry, factor).side());
-    store_ = std::move(*TileStore::open({side * side, "", 0}));
+    where.block_floats = side * side;
+    store_ = std::move(*TileStore::open(where));
     refinement_ = std::make_unique<Refinement>(
         RefinementSetup{state.geometry, factor, state.layers, state.channels, state.bands,
                         std::vector<float>(sim_.basis().amount.begin(), sim_.basis().amount.end()),
@@ -41,6 +48,7 @@ class Painted {
 
   Simulation& sim() { return sim_; }
   const Refinement& refinement() const { return *refinement_; }
+  const TileStore& store() const { return *store_; }
 
   /// A stroke, 0.6 s long, with steps in between.
   void stroke(int color, double x0, double y0, double x1, double y1, float diameter_m = 0.02f) {
@@ -76,6 +84,13 @@ class Painted {
     stroke(2, 0.1, 0.02, 0.09, 0.13, 0.03f);
   }
 
+  /// Strokes that dry, under a stroke that stays wet.
+  void cross_and_dry() {
+    cross();
+    sim_.dry();
+    stroke(1, 0.02, 0.02, 0.1, 0.12);
+  }
+
  private:
   static SimulationSetup setup_of(int width) {
     SimulationSetup setup;
@@ -94,6 +109,32 @@ class Painted {
   std::unique_ptr<Refinement> refinement_;
   std::uint32_t stroke_ = 0;
 };
+
+inline bool same_plane(const TilePlane& a, const TilePlane& b, int side) {
+  if (static_cast<bool>(a) != static_cast<bool>(b)) return false;
+  return !a || std::memcmp(a.data(), b.data(),
+                           static_cast<std::size_t>(side) * static_cast<std::size_t>(side) *
+                               sizeof(float)) == 0;
+}
+
+/// Whether both have the same planes with the same bits.
+inline bool same_tiles(const DetailCanvas& a, const DetailCanvas& b) {
+  const int side = a.layout().side();
+  const auto same = [&](const TilePlane& p, const TilePlane& q) { return same_plane(p, q, side); };
+  for (int t = 0; t < a.layout().tiles(); ++t) {
+    const DetailTile *p = a.find(t), *q = b.find(t);
+    if ((p == nullptr) != (q == nullptr)) return false;
+    if (p == nullptr) continue;
+    if (!same(p->depth_m, q->depth_m) || !same(p->base_m, q->base_m) ||
+        !std::equal(p->pigment.begin(), p->pigment.end(), q->pigment.begin(), q->pigment.end(),
+                    same) ||
+        !std::equal(p->reflectance.begin(), p->reflectance.end(), q->reflectance.begin(),
+                    q->reflectance.end(), same) ||
+        p->open.opened != q->open.opened || p->open.tangled != q->open.tangled)
+      return false;
+  }
+  return true;
+}
 
 /// Mean of the fine cells of a guide cell.
 inline double block_mean(const DetailCanvas& canvas, const WetPlane& q, int x, int y) {

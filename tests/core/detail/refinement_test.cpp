@@ -53,18 +53,31 @@ TEST(Refinement, LeavesTheGuideAlone) {
           << "plane " << p << " row " << y;
 }
 
-TEST(Refinement, HasTheSameBitsForAnyNumberOfThreads) {
-  test::Painted one(128, 3, 1), seven(128, 3, 7);
-  one.cross();
-  seven.cross();
-  const DetailCanvas &a = one.refinement().canvas(), &b = seven.refinement().canvas();
-  const std::size_t bytes = static_cast<std::size_t>(a.layout().side()) *
-                            static_cast<std::size_t>(a.layout().side()) * sizeof(float);
-  for (int t = 0; t < a.layout().tiles(); ++t) {
-    ASSERT_EQ(a.find(t) != nullptr, b.find(t) != nullptr);
-    if (a.find(t) == nullptr || !a.find(t)->depth_m) continue;
-    EXPECT_EQ(std::memcmp(a.find(t)->depth_m.data(), b.find(t)->depth_m.data(), bytes), 0);
+TEST(Refinement, HasTheSameBitsForAnyThreadsAndAnyOrderOfTiles) {
+  test::Painted one(128, 3);
+  one.cross_and_dry();
+  for (const int threads : {2, 7}) {
+    test::Painted several(128, 3, threads);
+    several.cross_and_dry();
+    EXPECT_TRUE(test::same_tiles(one.refinement().canvas(), several.refinement().canvas()))
+        << threads;
   }
+  test::Painted reversed(128, 3, Threads::backwards(), true, {});
+  reversed.cross_and_dry();
+  EXPECT_TRUE(test::same_tiles(one.refinement().canvas(), reversed.refinement().canvas()));
+}
+
+TEST(Refinement, HasTheSameBitsWhenItsTilesWereWrittenOut) {
+  test::Painted in_memory(128, 4);
+  TileStoreOptions scratch;
+  scratch.scratch = testing::TempDir();
+  scratch.resident_bytes = 512 << 10;  // 8 planes of some 60
+  test::Painted in_file(128, 4, Threads(2), true, scratch);
+  in_memory.cross_and_dry();
+  in_file.cross_and_dry();
+  EXPECT_GT(in_file.store().bytes(), 4 * scratch.resident_bytes);
+  EXPECT_LE(in_file.store().held_bytes(), scratch.resident_bytes);
+  EXPECT_TRUE(test::same_tiles(in_memory.refinement().canvas(), in_file.refinement().canvas()));
 }
 
 }  // namespace
