@@ -97,7 +97,7 @@ TEST(CommandRender, AScratchFolderChangesNothing) {
   ASSERT_EQ(whole.code, 0) << whole.err;
   EXPECT_NE(whole.out.find("\"lock\":{\"blocks\":"), std::string::npos) << whole.out;
   const Ran tight = place.run(
-      "render a.jsonl --scale 8 --scratch . --memory-limit 150M --threads 7 -o b.png -o b.h5");
+      "render a.jsonl --scale 8 --scratch . --memory-limit 180M --threads 7 -o b.png -o b.h5");
   ASSERT_EQ(tight.code, 0) << tight.err;
   EXPECT_EQ(place.run("compare a.png b.png").code, 0);
   EXPECT_EQ(place.run("compare a.h5 b.h5").code, 0);
