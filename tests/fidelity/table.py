@@ -1,0 +1,92 @@
+#!/usr/bin/env python3
+"""How faithful posters are: the table of docs/fidelity.md.
+
+    table.py COMMAND RESULTS.jsonl [--scale 2,4,8,16] LOG...
+
+Renders each log on its own grid and at each scale, compares dumps and pictures with `COMMAND compare`
+and adds a line per log and scale to RESULTS.jsonl; what is there already is not done again. Then
+prints the table. Dumps live in a temporary folder (TMPDIR), one pair at a time.
+"""
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+
+def run(*arguments):
+    done = subprocess.run(arguments, stdout=subprocess.PIPE, check=False, text=True)
+    if done.returncode not in (0, 1):  # compare: 1 says that they differ
+        sys.exit(f"{' '.join(arguments)}: exit code {done.returncode}")
+    return json.loads(done.stdout)
+
+
+def render(command, log, folder, name, scale):
+    outputs = [f"{folder}/{name}.h5", f"{folder}/{name}.png"]
+    return run(command, "render", log, "--scale", str(scale), "--quiet", "--json",
+               "-o", outputs[0], "-o", outputs[1])
+
+
+def judged(planes):
+    """Depth, pigments summed over their layers, the dry relief; not single layers."""
+    return [p for p in planes if "relative_l2" in p and not p["name"].startswith("/layers/pigment[")]
+
+
+def measure(command, log, folder, tablet, scale):
+    poster = render(command, log, folder, "poster", scale)
+    state = run(command, "compare", f"{folder}/tablet.h5", f"{folder}/poster.h5", "--json")
+    picture = run(command, "compare", f"{folder}/tablet.png", f"{folder}/poster.png", "--json")
+    planes = judged(state["planes"])
+    pigments = [p for p in planes if p["name"].startswith("pigment")]
+    depth = next(p for p in planes if p["name"] == "/fluid/depth")
+    squares = sum(p["rms"] ** 2 for p in picture["planes"]) / len(picture["planes"])
+    return {
+        "log": pathlib.Path(log).stem, "scale": scale,
+        "depth_l2": depth["relative_l2"],
+        "pigment_l2": max((p["relative_l2"] for p in pigments), default=0),
+        "worst_block": max(p["worst_block"] for p in planes),
+        "same_guide": poster["guide_sha256"] == tablet["state_sha256"],
+        "rms": squares ** 0.5, "flip": picture["flip"]["mean"],
+        "lock": poster["lock"], "wall_s": poster["wall_s"],
+        "peak_memory_bytes": poster["peak_memory_bytes"],
+    }
+
+
+def print_table(rows):
+    import math
+    print("| sample | k | depth, relative L2 | pigments, largest | worst block | guide's hash "
+          "| picture, PSNR dB | FLIP | blocks within 1 % before the lock |")
+    print("|---|---|---|---|---|---|---|---|---|")
+    for r in sorted(rows, key=lambda r: (r["log"], r["scale"])):
+        psnr = -20 * math.log10(r["rms"]) if r["rms"] > 0 else math.inf
+        print(f"| {r['log']} | {r['scale']} | {r['depth_l2']:.1e} | {r['pigment_l2']:.1e} "
+              f"| {r['worst_block']:.1e} | {'the same' if r['same_guide'] else 'ANOTHER'} "
+              f"| {psnr:.1f} | {r['flip']:.3f} | {100 * r['lock']['within_0.01']:.1f} % |")
+
+
+def main(arguments):
+    scales = [2, 4, 8, 16]
+    if "--scale" in arguments:
+        at = arguments.index("--scale")
+        scales = [int(k) for k in arguments[at + 1].split(",")]
+        del arguments[at:at + 2]
+    if len(arguments) < 2:
+        sys.exit(__doc__)
+    command, results, *logs = arguments
+    path = pathlib.Path(results)
+    rows = [json.loads(line) for line in path.read_text().splitlines()] if path.exists() else []
+    known = {(r["log"], r["scale"]) for r in rows}
+    for log in logs:
+        wanted = [k for k in scales if (pathlib.Path(log).stem, k) not in known]
+        if not wanted:
+            continue
+        with tempfile.TemporaryDirectory() as folder:
+            tablet = render(command, log, folder, "tablet", 1)
+            for k in wanted:
+                rows.append(measure(command, log, folder, tablet, k))
+                with path.open("a") as out:
+                    out.write(json.dumps(rows[-1]) + "\n")
+    print_table(rows)
+
+
+main(sys.argv[1:])
