@@ -3,9 +3,8 @@
 #include <algorithm>
 
 namespace pentimento {
-namespace {
 
-const Field<float>& plane_of(const CanvasState& state, PlaneId plane) {
+Field<float>& plane_of(CanvasState& state, PlaneId plane) {
   switch (plane.kind) {
     case PlaneKind::kDepth:
       return state.depth_m;
@@ -25,7 +24,9 @@ const Field<float>& plane_of(const CanvasState& state, PlaneId plane) {
   return state.channel(plane.layer, plane.index);
 }
 
-}  // namespace
+const Field<float>& plane_of(const CanvasState& state, PlaneId plane) {
+  return plane_of(const_cast<CanvasState&>(state), plane);  // which changes nothing
+}
 
 void StateSource::read(PlaneId plane, int x, int y, std::span<float> out) const {
   std::copy_n(plane_of(state_, plane).row(y) + x, out.size(), out.data());

@@ -64,6 +64,10 @@ class CanvasSource {
   virtual Result<void> status() const { return {}; }
 };
 
+/// The plane of the state that `plane` names; its layer, channel and band exist.
+Field<float>& plane_of(CanvasState& state, PlaneId plane);
+const Field<float>& plane_of(const CanvasState& state, PlaneId plane);
+
 /// Dense planes. `state` outlives it and does not change while it is read.
 class StateSource final : public CanvasSource {
  public:

@@ -30,21 +30,6 @@ PlaneId plane_of(const CanvasDataset& dataset) {
   return {PlaneKind::kPaper};
 }
 
-Field<float>& plane_in(CanvasState& state, PlaneId plane) {
-  switch (plane.kind) {
-    case PlaneKind::kDepth:
-      return state.depth_m;
-    case PlaneKind::kVelocityX:
-      return state.velocity_x_m_s;
-    case PlaneKind::kVelocityY:
-      return state.velocity_y_m_s;
-    case PlaneKind::kBase:
-      return state.base_m;
-    default:
-      return state.paper_m;
-  }
-}
-
 bool points_down(const CanvasDataset& dataset) {
   return std::string_view(dataset.name) == "/fluid/velocity_y";
 }
@@ -142,7 +127,7 @@ void store_row(CanvasState& state, const CanvasDataset& dataset, std::int64_t ro
     return;
   }
   Field<float>& plane = kind == Kind::kPigment ? state.pigment[static_cast<std::size_t>(row / ny)]
-                                               : plane_in(state, plane_of(dataset));
+                                               : pentimento::plane_of(state, plane_of(dataset));
   const std::uint32_t flip = points_down(dataset) ? kSign : 0;
   for (std::size_t x = 0; x < in.size(); ++x) plane.row(y)[x] = std::bit_cast<float>(in[x] ^ flip);
 }
