@@ -3,11 +3,13 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <algorithm>
 
 #include "cli/command.h"
 #include "cli/picture_options.h"
 #include "cli/range.h"
 #include "cli/talk.h"
+#include "formats/film/film_writer.h"
 #include "replay/relight.h"
 
 namespace pentimento::cli {
@@ -18,18 +20,25 @@ constexpr const char* kAbout =
     "Examples:\n"
     "  pentimento relight state.h5 -o evening.png --light=-1,0.2,0.3\n"
     "  pentimento relight state.h5 -o studio.exr --environment studio.hdr --exposure 0.5\n"
-    "  pentimento relight state.h5 -o frame-%04d.png --light-path orbit --frames 48";
+    "  pentimento relight state.h5 -o frame-%04d.png --light-path orbit --frames 48\n"
+    "  pentimento relight state.h5 -o turn.mp4 --light-path orbit --frames 96";
 
 struct Options {
   RelightJob job;
   PictureOptions picture;
   TalkOptions talk;
+  std::optional<double> fps;
 };
 
 Result<void> complete(Options& o) {
   Result<PictureChoice> picture = o.picture.picture();
   if (!picture) return picture.error();
   o.job.picture = std::move(*picture);
+  const std::vector<std::string>& outputs = o.job.picture.outputs;
+  if (o.fps && std::none_of(outputs.begin(), outputs.end(), is_film_name)) {
+    return Error{ErrorCode::kUsage, "--fps needs an -o FILE.avi, FILE.mkv or FILE.mp4"};
+  }
+  o.job.picture.frames_per_second = o.fps.value_or(o.job.picture.frames_per_second);
   Result<LightChoice> light = o.picture.lighting();
   if (!light) return light.error();
   o.job.light = std::move(*light);
@@ -46,8 +55,12 @@ int run_relight(const Arguments& arguments) {
   app.add_option("--light-path", o.job.light_path,
                  "the lamp moves from frame to frame: orbit, or a file of points X Y Z")
       ->type_name("orbit|FILE");
-  app.add_option("--frames", o.job.frames, "of the light's path; the name needs %d or %04d")
+  app.add_option("--frames", o.job.frames,
+                 "of the light's path; the name needs %d or %04d, or is a film's: .avi .mkv .mp4")
       ->check(in_range(1, 100000))
+      ->type_name("N");
+  app.add_option("--fps", o.fps, "frames a second of a film (25)")
+      ->check(in_range(1.0, 240.0))
       ->type_name("N");
   o.picture.add_to(app);
   app.add_option("--palette", o.job.palette,

@@ -71,7 +71,7 @@ Result<ShCoefficients> read_environment(const std::string& path) {
   return project_panorama({planes[0].view(), planes[1].view(), planes[2].view()});
 }
 
-Result<void> LightingTrack::follow(const log::Action& action, LogFiles& files) {
+Result<void> LightingTrack::follow(const log::Action& action, std::int64_t step, LogFiles& files) {
   if (const auto* gravity = std::get_if<log::Gravity>(&action)) {
     gravity_ = *gravity;
   } else if (const auto* event = std::get_if<log::Light>(&action)) {
@@ -79,7 +79,7 @@ Result<void> LightingTrack::follow(const log::Action& action, LogFiles& files) {
   } else if (const auto* around = std::get_if<log::Environment>(&action)) {
     return environment(*around, files);
   } else if (const auto* front = std::get_if<log::Camera>(&action)) {
-    return camera(*front, files);
+    return camera(*front, step, files);
   }
   return {};
 }
@@ -117,14 +117,30 @@ Result<void> LightingTrack::environment(const log::Environment& event, LogFiles&
   return {};
 }
 
-Result<void> LightingTrack::camera(const log::Camera& event, LogFiles& files) {
+Result<void> LightingTrack::camera(const log::Camera& event, std::int64_t step, LogFiles& files) {
   Result<std::string> path = files.use(event.file);
   if (!path) return path.error();
+  lighting_.reflection.fov_deg = static_cast<float>(event.fov_deg);
+  lighting_.reflection.mirror = event.mirror;
+  video_.reset();
+  if (is_video(*path)) {
+    Result<std::unique_ptr<VideoReader>> reader = VideoReader::open(*path);
+    if (!reader) return reader.error();
+    video_ = {std::move(*reader), event.start_s, step};
+    return {};
+  }
   Result<std::array<Field<float>, 3>> rgb = read_rgb(*path);
   if (!rgb) return rgb.error();
   lighting_.reflection.rgb = std::move(*rgb);
-  lighting_.reflection.fov_deg = static_cast<float>(event.fov_deg);
-  lighting_.reflection.mirror = event.mirror;
+  return {};
+}
+
+Result<void> LightingTrack::look(std::int64_t steps) {
+  if (!video_) return {};
+  Result<std::array<Field<float>, 3>> rgb =
+      video_->reader->frame_at(video_->start_s + clock_.seconds(steps - video_->begun));
+  if (!rgb) return rgb.error();
+  lighting_.reflection.rgb = std::move(*rgb);
   return {};
 }
 

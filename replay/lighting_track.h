@@ -3,12 +3,17 @@
 // only; nothing here reaches the state.
 
 #include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
 #include <utility>
 
 #include "core/optics/lighting.h"
 #include "core/result.h"
+#include "formats/film/video_reader.h"
 #include "formats/log/events.h"
 #include "replay/log_files.h"
+#include "replay/timeline/step_clock.h"
 
 namespace pentimento {
 
@@ -30,11 +35,16 @@ void settle_lamp(Lamp& lamp, const log::Gravity& gravity);
 
 class LightingTrack {
  public:
-  explicit LightingTrack(Lighting start) : lighting_(std::move(start)) {}
+  LightingTrack(Lighting start, double steps_per_second)
+      : lighting_(std::move(start)), clock_(steps_per_second) {}
 
-  /// Follows `light`, `environment`, `camera` and `gravity` events; others are ignored. Errors:
-  /// those of the files.
-  Result<void> follow(const log::Action& action, LogFiles& files);
+  /// Follows `light`, `environment`, `camera` and `gravity` events of the step `step`; others are
+  /// ignored. Errors: those of the files.
+  Result<void> follow(const log::Action& action, std::int64_t step, LogFiles& files);
+
+  /// Puts what the front camera sees after `steps` steps into lighting(): the frame of a video. A
+  /// picture stays as it is. Errors: those of the video.
+  Result<void> look(std::int64_t steps);
 
   /// As set, the lamp not yet turned by gravity.
   const Lighting& lighting() const { return lighting_; }
@@ -44,9 +54,17 @@ class LightingTrack {
  private:
   void light(const log::Light& event);
   Result<void> environment(const log::Environment& event, LogFiles& files);
-  Result<void> camera(const log::Camera& event, LogFiles& files);
+  Result<void> camera(const log::Camera& event, std::int64_t step, LogFiles& files);
 
+  /// A video that the front camera recorded.
+  struct Video {
+    std::unique_ptr<VideoReader> reader;
+    double start_s = 0;      // of it, when the event happened
+    std::int64_t begun = 0;  // step of the event
+  };
   Lighting lighting_;
+  StepClock clock_;
+  std::optional<Video> video_;
   log::Gravity gravity_;
 };
 

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <utility>
 
+#include "formats/film/video_reader.h"
 #include "formats/image/read_image.h"
 #include "formats/io/sha256.h"
 #include "formats/log/resolve.h"
@@ -44,6 +45,20 @@ Result<std::string> LogFiles::use_picture(const std::string& name) {
   Result<std::string> path = use(name);
   if (!path || known) return path;
   if (Result<std::array<Field<float>, 3>> rgb = read_rgb(*path); !rgb) return rgb.error();
+  return path;
+}
+
+Result<std::string> LogFiles::use_camera(const std::string& name) {
+  const bool known = paths_.contains(name);
+  Result<std::string> path = use(name);
+  if (!path || known) return path;
+  if (!is_video(*path)) {
+    if (Result<std::array<Field<float>, 3>> rgb = read_rgb(*path); !rgb) return rgb.error();
+    return path;
+  }
+  Result<std::unique_ptr<VideoReader>> reader = VideoReader::open(*path);
+  if (!reader) return reader.error();
+  if (Result<std::array<Field<float>, 3>> rgb = (*reader)->frame_at(0); !rgb) return rgb.error();
   return path;
 }
 

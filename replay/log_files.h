@@ -22,6 +22,10 @@ class LogFiles {
   /// work. Errors: also those of the picture.
   Result<std::string> use_picture(const std::string& name);
 
+  /// use_picture() of what the front camera saw: a picture, or a video whose first frame is
+  /// decoded.
+  Result<std::string> use_camera(const std::string& name);
+
   /// What messages call the log.
   const std::string& log_name() const { return log_path_; }
   /// Name in the log -> SHA-256 (hex) of the file, for all used so far.

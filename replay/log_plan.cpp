@@ -33,7 +33,9 @@ Result<void> note_event(const log::Event& event, LogFiles& files, LogPlan& plan)
   }
   const std::string file = named_file(event.action);
   if (file.empty()) return {};
-  Result<std::string> path = files.use_picture(file);
+  Result<std::string> path = std::holds_alternative<log::Camera>(event.action)
+                                 ? files.use_camera(file)
+                                 : files.use_picture(file);
   if (path) return {};
   return Error{path.error().code,
                fmt::format("{}:{}: {}", files.log_name(), event.line, path.error().message)};

@@ -6,6 +6,8 @@
 #include <optional>
 #include <set>
 
+#include "formats/film/film_writer.h"
+
 namespace pentimento {
 
 namespace {
@@ -17,6 +19,7 @@ std::optional<OutputKind> kind_of(const std::string& path) {
   });
   if (extension == ".png") return OutputKind::kPng;
   if (extension == ".exr") return OutputKind::kExr;
+  if (is_film_name(path)) return OutputKind::kFilm;
   if (extension == ".h5" || extension == ".hdf5") return OutputKind::kState;
   return std::nullopt;
 }
@@ -37,7 +40,9 @@ Result<void> check_patterns(const std::vector<std::string>& patterns, std::size_
   if (patterns.empty()) return usage("nothing to write: give at least one -o FILE");
   for (const std::string& pattern : patterns) {
     if (!kind_of(pattern)) {
-      return usage("-o " + pattern + ": the extension must be .png, .exr or .h5");
+      return usage("-o " + pattern +
+                   ": the extension must be .png, .exr or .h5 (a film: .avi, .mkv "
+                   "or .mp4)");
     }
     if (stops > 1 && pattern.find('%') == std::string::npos) {
       return usage("-o " + pattern + ": several --at need a % in the name");

@@ -10,7 +10,7 @@
 
 namespace pentimento {
 
-enum class OutputKind { kPng, kExr, kState };
+enum class OutputKind { kPng, kExr, kState, kFilm };
 
 struct PlannedOutput {
   std::string pattern;  // as given

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "formats/exr/exr_writer.h"
+#include "formats/film/film_writer.h"
 #include "formats/io/output_file.h"
 #include "formats/png/png_writer.h"
 #include "replay/aov_pictures.h"
@@ -22,6 +23,7 @@ struct OutputSet::Pending {
   std::unique_ptr<OutputFile> state;
   bool for_display = false;
   std::vector<std::string> planes;  // of the strips; empty: all
+  bool goes_on = false;             // a film: complete only when all frames are in it
 
   Result<void> publish() {
     if (picture) return picture->publish();
@@ -91,6 +93,24 @@ Result<void> OutputSet::open_shader() {
   if (!shader) return shader.error();
   shader_ = std::move(*shader);
   return {};
+}
+
+/// A film goes on from frame to frame; where it is among the pending files.
+Result<std::size_t> OutputSet::open_film(const std::string& path) {
+  for (std::size_t i = 0; i < pending_.size(); ++i) {
+    if (pending_[i].file.file == path) return i;
+  }
+  const PictureChoice& choice = settings_.picture;
+  const Result<OutputSize> size = written_size(choice, settings_.size);
+  if (!size) return size.error();
+  FilmOptions options = {size->width,       size->height,  choice.frames_per_second,
+                         choice.no_clobber, choice.dither, settings_.threads};
+  Result<std::unique_ptr<PictureFile>> film = create_film(path, options);
+  if (!film) return film.error();
+  Pending pending = {{path, size->width, size->height, {}, {}}, std::move(*film), {}, true, {}};
+  pending.goes_on = true;
+  pending_.push_back(std::move(pending));
+  return pending_.size() - 1;
 }
 
 Result<void> OutputSet::create(const PlannedOutput& output, const Scene& scene,
@@ -186,15 +206,24 @@ Result<void> OutputSet::add_pictures(const std::vector<PlannedOutput>& outputs, 
   const bool exr = std::any_of(outputs.begin(), outputs.end(), [](const PlannedOutput& output) {
     return output.kind == OutputKind::kExr;
   });
+  std::vector<std::size_t> films;
+  for (const PlannedOutput& output : outputs) {
+    if (output.kind != OutputKind::kFilm) continue;
+    const Result<std::size_t> film = open_film(output.path);
+    if (!film) return film.error();
+    films.push_back(*film);
+  }
   const std::size_t first_file = pending_.size();
   for (const PlannedOutput& output : outputs) {
-    if (!is_picture(output)) continue;
+    if (!is_picture(output) || output.kind == OutputKind::kFilm) continue;
     if (Result<void> created = create(output, scene, origin); !created) return created;
     const bool beside = output.kind == OutputKind::kPng && !settings_.picture.aovs.empty() && !exr;
     if (!beside) continue;
     if (Result<void> created = create_aovs(output, scene, origin); !created) return created;
   }
-  Result<void> shaded = debug ? paint_debug_view(scene, first_file) : shade(scene, first_file);
+  std::vector<std::size_t> shown = films;
+  for (std::size_t i = first_file; i < pending_.size(); ++i) shown.push_back(i);
+  Result<void> shaded = debug ? paint_debug_view(scene, shown) : shade(scene, shown);
   if (!shaded) return shaded;
   watch_.start("encode");
   for (std::size_t i = first_file; i < pending_.size(); ++i) {
@@ -205,7 +234,7 @@ Result<void> OutputSet::add_pictures(const std::vector<PlannedOutput>& outputs, 
   return {};
 }
 
-Result<void> OutputSet::shade(const Scene& scene, std::size_t first_file) {
+Result<void> OutputSet::shade(const Scene& scene, const std::vector<std::size_t>& shown) {
   const PictureChoice& choice = settings_.picture;
   ShadeRequest request;
   request.width = settings_.size.width;
@@ -223,7 +252,7 @@ Result<void> OutputSet::shade(const Scene& scene, std::size_t first_file) {
   std::deque<PlaneSink> chosen;
   std::vector<WatchedSink> watched;
   std::vector<PictureSink*> sinks;
-  for (std::size_t i = first_file; i < pending_.size(); ++i) {
+  for (const std::size_t i : shown) {
     const Pending& pending = pending_[i];
     PictureSink* sink = pending.picture.get();
     if (!pending.planes.empty()) sink = &chosen.emplace_back(*sink, pending.planes);
@@ -234,18 +263,18 @@ Result<void> OutputSet::shade(const Scene& scene, std::size_t first_file) {
   return shader_->shade(scene.canvas, scene.basis, scene.model, scene.lighting, request, sinks);
 }
 
-Result<void> OutputSet::paint_debug_view(const Scene& scene, std::size_t first_file) {
+Result<void> OutputSet::paint_debug_view(const Scene& scene,
+                                         const std::vector<std::size_t>& shown) {
   const PictureChoice& choice = settings_.picture;
-  const Result<OutputSize> shown = written_size(choice, settings_.size);
-  if (!shown) return shown.error();
-  DebugFrame frame{settings_.size, 0, 0, shown->width, shown->height};
+  const Result<OutputSize> part = written_size(choice, settings_.size);
+  if (!part) return part.error();
+  DebugFrame frame{settings_.size, 0, 0, part->width, part->height};
   if (choice.crop) {
     frame.left = (*choice.crop)[0];
     frame.top = (*choice.crop)[1];
   }
   std::vector<PictureSink*> sinks;
-  for (std::size_t i = first_file; i < pending_.size(); ++i)
-    sinks.push_back(pending_[i].picture.get());
+  for (const std::size_t i : shown) sinks.push_back(pending_[i].picture.get());
   const DebugColors colors(*choice.debug_view,
                            measure_debug_scale(*choice.debug_view, scene.canvas, scene.basis));
   return write_debug_picture(colors, scene.canvas, scene.basis, frame, sinks, settings_.control);
@@ -271,6 +300,12 @@ Result<void> OutputSet::add_states(const std::vector<PlannedOutput>& outputs, co
 }
 
 Result<std::vector<WrittenFile>> OutputSet::publish() {
+  for (Pending& pending : pending_) {
+    if (!pending.goes_on) continue;
+    Result<Published> complete = pending.picture->complete();
+    if (!complete) return complete.error();
+    pending.file.sha256 = complete->sha256;
+  }
   std::vector<WrittenFile> written;
   for (Pending& pending : pending_) {
     if (Result<void> published = pending.publish(); !published) return published.error();

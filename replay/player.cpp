@@ -46,7 +46,8 @@ Result<void> Player::apply_cues(std::optional<std::int64_t> before_step) {
     if (Result<void> advanced = advance(ahead_->step); !advanced) return advanced;
     if (Result<void> applied = in_.hand.apply(*ahead_); !applied) return applied;
     if (const auto* action = std::get_if<log::Action>(&ahead_->what)) {
-      if (Result<void> lit = in_.lighting.follow(*action, in_.files); !lit) return lit;
+      if (Result<void> lit = in_.lighting.follow(*action, ahead_->step, in_.files); !lit)
+        return lit;
     }
     ahead_.reset();
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "formats/film/film_writer.h"
 #include "formats/hdf5/state_dump.h"
 #include "formats/io/provenance.h"
 #include "formats/log/model_fields.h"
@@ -59,6 +60,11 @@ Result<std::vector<Frame>> plan_frames(const RelightJob& job, const Lamp& lamp) 
     if (job.frames > 0) return Error{ErrorCode::kUsage, "--frames goes with --light-path"};
     Result<std::vector<PlannedOutput>> outputs = plan_pictures(job.picture);
     if (!outputs) return outputs.error();
+    for (const PlannedOutput& output : *outputs) {
+      if (output.kind == OutputKind::kFilm) {
+        return Error{ErrorCode::kUsage, "-o " + output.path + ": a film needs --light-path"};
+      }
+    }
     return std::vector<Frame>{{lamp, std::move(*outputs)}};
   }
   Result<std::vector<std::array<float, 3>>> places = light_path(job.light_path, job.frames, lamp);
@@ -67,7 +73,9 @@ Result<std::vector<Frame>> plan_frames(const RelightJob& job, const Lamp& lamp) 
   for (const std::array<float, 3>& place : *places) {
     PictureChoice picture;
     for (const std::string& pattern : job.picture.outputs) {
-      Result<std::string> name = frame_name(pattern, static_cast<int>(frames.size()));
+      Result<std::string> name = is_film_name(pattern)
+                                     ? Result<std::string>(pattern)
+                                     : frame_name(pattern, static_cast<int>(frames.size()));
       if (!name) return name.error();
       picture.outputs.push_back(std::move(*name));
     }

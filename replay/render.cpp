@@ -39,7 +39,7 @@ class Replay {
         threads_(job.threads),
         settings_{job.picture, session.size, threads_.count(), control},
         outputs_(settings_, watch),
-        lighting_(first_lighting(session)) {}
+        lighting_(first_lighting(session), session.reader->header().steps_per_second) {}
 
   Result<JobReport> run();
 
@@ -114,6 +114,12 @@ Result<void> Replay::begin() {
   Result<std::vector<std::vector<PlannedOutput>>> files =
       plan_outputs(job_.picture.outputs, job_.stops);
   if (!files) return files.error();
+  for (const PlannedOutput& output : files->front()) {
+    if (output.kind == OutputKind::kFilm) {
+      return Error{ErrorCode::kUsage,
+                   "-o " + output.path + ": films are made by relight --light-path"};
+    }
+  }
   files_ = std::move(*files);
   watch_.start("prepare");
   Result<LightOverride> light = LightOverride::make(job_.light);
@@ -201,6 +207,7 @@ Result<void> Replay::write(const std::vector<PlannedOutput>& files) {
   const CanvasView view = make_canvas_view(*simulation_, fine_.get(), session_.detail);
   report_.guide_sha256 = state_sha256(simulation_->state());
   report_.state_sha256 = view.detail > 1 ? state_sha256(*view.canvas) : report_.guide_sha256;
+  if (Result<void> looked = lighting_.look(player_->steps()); !looked) return looked;
   Lighting lighting = clone_lighting(lighting_.lighting());
   light_.apply(lighting);
   const log::Gravity gravity = job_.gravity ? log_gravity(*job_.gravity) : lighting_.gravity();

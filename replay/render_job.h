@@ -35,9 +35,10 @@ struct PictureChoice {
   int bit_depth = 8;                 // of PNG: 8 or 16
   bool full_float = false;           // of EXR
   ColorProfile profile = ColorProfile::kSrgb;
-  bool dither = false;  // of PNG with 8 bit
+  bool dither = false;            // of PNG with 8 bit, and of films
+  double frames_per_second = 25;  // of films
   std::vector<std::string> aovs;
-  std::optional<DebugView> debug_view;  // in place of the lit picture
+  std::optional<DebugView> debug_view;     // in place of the lit picture
   std::optional<std::array<int, 4>> crop;  // x, y, width, height in pixels of the whole picture
   int tile = 1024;
   GlBackend backend = GlBackend::kAuto;

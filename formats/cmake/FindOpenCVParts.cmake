@@ -1,15 +1,16 @@
-# The three parts of OpenCV that read pictures: targets OpenCVParts::core, ::imgproc, ::imgcodecs.
+# The parts of OpenCV that read pictures, draw text and write films: targets OpenCVParts::core,
+# ::imgproc, ::imgcodecs, ::videoio.
 # OpenCV's own package file comes only with its whole development set, ten times this size.
 find_path(OpenCVParts_INCLUDE_DIR opencv2/imgcodecs.hpp PATH_SUFFIXES opencv4)
 set(opencv_parts_required OpenCVParts_INCLUDE_DIR)
-foreach(part core imgproc imgcodecs)
+foreach(part core imgproc imgcodecs videoio)
   find_library(OpenCVParts_${part}_LIBRARY opencv_${part})
   list(APPEND opencv_parts_required OpenCVParts_${part}_LIBRARY)
 endforeach()
 include(FindPackageHandleStandardArgs)
 find_package_handle_standard_args(OpenCVParts REQUIRED_VARS ${opencv_parts_required})
 if(OpenCVParts_FOUND AND NOT TARGET OpenCVParts::core)
-  foreach(part core imgproc imgcodecs)
+  foreach(part core imgproc imgcodecs videoio)
     add_library(OpenCVParts::${part} UNKNOWN IMPORTED)
     set_target_properties(OpenCVParts::${part} PROPERTIES
       IMPORTED_LOCATION ${OpenCVParts_${part}_LIBRARY}

@@ -58,7 +58,7 @@ void PlayerSteps(benchmark::State& bench) {
     Simulation simulation(std::move(setup), threads);
     Timeline timeline(reader, {plan.undo, brushes, plan.stepped, 1});
     Hand hand(simulation, {brushes, plan.palette, 0, files, std::nullopt});
-    LightingTrack lighting(default_lighting());
+    LightingTrack lighting(default_lighting(), 45);
     Player player({timeline, simulation, hand, lighting, files, control, plan.steps});
     benchmark::DoNotOptimize(player.play_all(plan.steps).ok());
     steps += player.steps();

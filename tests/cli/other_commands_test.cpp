@@ -1,5 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "formats/film/film_writer.h"
+#include "formats/film/video_reader.h"
 #include "formats/image/read_image.h"
 #include "formats/io/provenance.h"
 #include "tests/cli/command_run.h"
@@ -130,6 +134,72 @@ TEST(CommandRelight, ALightPathIsAFrameAPoint) {
   EXPECT_EQ(place.run("relight a.h5 -o f.png --light-path orbit --frames 3").code, 2);
   EXPECT_EQ(place.run("relight a.h5 -o f-%d.png --light-path orbit").code, 2);
   EXPECT_EQ(place.run("relight a.h5 -o f.png --frames 3").code, 2);
+}
+
+TEST(CommandRelight, ALightPathIsAlsoAFilm) {
+  Workplace place;
+  ASSERT_EQ(place.run("render a.jsonl -o a.h5").code, 0);
+  const Ran ran = place.run(
+      "relight a.h5 -o turn.avi -o f-%d.png --light-path orbit --frames 3 --fps 2 --json");
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  EXPECT_EQ(place.files(), 6u);  // log, dump, film, three frames
+  auto video = VideoReader::open(place.path("turn.avi"));
+  ASSERT_TRUE(video.ok()) << video.error().message;
+  for (int i = 0; i < 3; ++i) {
+    const auto frame = (*video)->frame_at(0.5 * i);
+    const auto still = read_rgb(place.path("f-" + std::to_string(i) + ".png"));
+    ASSERT_TRUE(frame.ok() && still.ok());
+    double difference = 0;
+    for (int y = 0; y < 60; ++y)
+      for (int x = 0; x < 80; ++x)
+        difference += std::abs(static_cast<double>((*frame)[1](x, y) - (*still)[1](x, y)));
+    EXPECT_LT(difference / (60 * 80), 0.03);  // JPEG on the threads of the weave
+  }
+  place.write("old.mp4", "old");
+  for (const char* wrong : {"relight a.h5 -o old.mp4",
+                            "relight a.h5 -o old.mp4 --light-path orbit --frames 2 --width 81",
+                            "relight a.h5 -o a.png --fps 2", "render a.jsonl -o old.mp4"}) {
+    const Ran refused = place.run(wrong);
+    EXPECT_EQ(refused.code, 2) << wrong;
+    EXPECT_EQ(lines_in(refused.err), 1u) << refused.err;
+  }
+  EXPECT_EQ(place.read("old.mp4"), "old");
+  EXPECT_EQ(place.files(), 7u);
+}
+
+TEST(CommandRelight, WhatAPictureOrAVideoShowsIsReflectedAtItsTime) {
+  Workplace place;
+  // Half a second dark, half a second bright; the event happens at 0.2 s of the log.
+  FilmOptions film;
+  film.width = 32;
+  film.height = 18;
+  film.frames_per_second = 2;
+  auto video = create_film(place.path("front.avi"), film);
+  ASSERT_TRUE(video.ok());
+  for (const float light : {0.0f, 1.0f}) {
+    const Field<float> plane(32, 18, light);
+    ASSERT_TRUE(
+        (*video)->write({0, 18, {"R", "G", "B"}, {plane.view(), plane.view(), plane.view()}}).ok());
+  }
+  ASSERT_TRUE((*video)->finish().ok());
+  const auto with_camera = [](const std::string& more) {
+    std::string log = kSmallLog;
+    const std::string event = R"({"t":0.2,"type":"camera","file":"front.avi")" + more + "}\n";
+    return log.insert(log.find(R"({"t":0.3,)"), event);
+  };
+  place.write("v.jsonl", with_camera(""));
+  place.write("later.jsonl", with_camera(R"(,"start":0.5)"));
+  const std::string at = " --light 0,0,1 --at 0.4 --at 0.8 ";
+  ASSERT_EQ(place.run("render v.jsonl -o v-%.png -o v-%.h5" + at).code, 0);
+  ASSERT_EQ(place.run("render later.jsonl -o l-%.png" + at).code, 0);
+  ASSERT_EQ(place.run("relight v-0.8.h5 -o r.png").code, 0);
+  EXPECT_EQ(place.run("compare v-0.8.png r.png").code, 0);      // the dump has the frame
+  EXPECT_EQ(place.run("compare v-0.4.png l-0.4.png").code, 1);  // dark; already bright
+  EXPECT_EQ(place.run("compare v-0.8.png l-0.8.png").code, 0);  // both bright
+  place.write("front.avi", place.read("front.avi").substr(0, 300));
+  const Ran broken = place.run("validate v.jsonl");
+  EXPECT_EQ(broken.code, 3);
+  EXPECT_NE(broken.err.find("v.jsonl:4: "), std::string::npos) << broken.err;
 }
 
 TEST(CommandRender, LayersAndFloatsNeedAFileThatHoldsThem) {

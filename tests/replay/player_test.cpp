@@ -38,7 +38,7 @@ Replayed replay(ListReader& reader, bool optical = false) {
   result.simulation = std::make_unique<Simulation>(std::move(setup), kThreads);
   Timeline timeline(reader, {plan.undo, brushes, plan.stepped, 1});
   Hand hand(*result.simulation, {brushes, plan.palette, 0, files, std::nullopt});
-  LightingTrack lighting(default_lighting());
+  LightingTrack lighting(default_lighting(), 45);
   Player player({timeline, *result.simulation, hand, lighting, files, control, plan.steps});
   EXPECT_TRUE(player.play_all(plan.steps).ok());
   result.computed = player.steps_computed();
@@ -165,7 +165,7 @@ TEST(Player, ANumberThatIsNotFiniteIsFoundWithStepAndCell) {
   simulation.restore(std::move(broken));
   Timeline timeline(reader, {plan.undo, brushes, plan.stepped, 1});
   Hand hand(simulation, {brushes, plan.palette, 0, files, std::nullopt});
-  LightingTrack lighting(default_lighting());
+  LightingTrack lighting(default_lighting(), 45);
   Player player({timeline, simulation, hand, lighting, files, control, plan.steps});
   const Result<void> played = player.play_all(plan.steps);
   ASSERT_FALSE(played.ok());
