@@ -19,11 +19,12 @@ void append_big_endian(std::uint32_t value, std::vector<std::uint8_t>& out) {
 
 }  // namespace
 
-void deflate_piece(std::span<const std::uint8_t> bytes, bool last, int level,
+void deflate_piece(std::span<const std::uint8_t> bytes, bool last, int level, Repeats repeats,
                    std::vector<std::uint8_t>& out) {
   z_stream stream = {};
   constexpr int kRaw = -15;  // no zlib header, window 32 KiB
-  PENTIMENTO_CHECK(deflateInit2(&stream, level, Z_DEFLATED, kRaw, 9, Z_DEFAULT_STRATEGY) == Z_OK);
+  const int strategy = repeats == Repeats::kRuns ? Z_RLE : Z_DEFAULT_STRATEGY;
+  PENTIMENTO_CHECK(deflateInit2(&stream, level, Z_DEFLATED, kRaw, 9, strategy) == Z_OK);
   stream.next_in = const_cast<Bytef*>(bytes.data());  // the library only reads
   stream.avail_in = static_cast<uInt>(bytes.size());
   std::size_t used = out.size();
@@ -40,7 +41,7 @@ void deflate_piece(std::span<const std::uint8_t> bytes, bool last, int level,
 
 std::vector<std::uint8_t> zlib_stream(std::span<const std::uint8_t> bytes, int level) {
   std::vector<std::uint8_t> out = {kDeflate32k, kFastest};
-  deflate_piece(bytes, true, level, out);
+  deflate_piece(bytes, true, level, Repeats::kAny, out);
   append_big_endian(adler32_of(bytes), out);
   return out;
 }

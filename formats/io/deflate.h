@@ -9,9 +9,13 @@
 
 namespace pentimento {
 
+/// What is looked for beside the frequency of bytes. Filtered rows of a painting are noise with
+/// runs: other matches cost more bits than they save, and time (docs/bench/encoding.md).
+enum class Repeats { kAny, kRuns };
+
 /// Raw deflate of `bytes`, appended to `out`. `last` = false ends on a byte boundary with an empty
 /// stored block, so that pieces can be joined; `last` = true ends the stream.
-void deflate_piece(std::span<const std::uint8_t> bytes, bool last, int level,
+void deflate_piece(std::span<const std::uint8_t> bytes, bool last, int level, Repeats repeats,
                    std::vector<std::uint8_t>& out);
 
 /// A whole zlib stream (RFC 1950) of `bytes`.

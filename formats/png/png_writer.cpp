@@ -149,7 +149,7 @@ Block PngFile::deflate_rows(int begin, int end, bool last) const {
   Block block;
   block.bytes = filtered.size();
   block.adler = adler32_of(filtered);
-  deflate_piece(filtered, last, kDeflateLevel, block.deflated);
+  deflate_piece(filtered, last, kDeflateLevel, Repeats::kRuns, block.deflated);
   return block;
 }
 

@@ -39,19 +39,21 @@ TEST(Deflate, ZlibReadsTheStream) {
 TEST(Deflate, PiecesJoinToOneStream) {
   const Bytes bytes = made_up_bytes(300000, false);
   const std::span<const std::uint8_t> all(bytes);
-  Bytes stream = {0x78, 0x01};
-  std::uint32_t adler = 1;
-  for (const auto& [from, to] : {std::pair{0, 100000}, {100000, 100001}, {100001, 300000}}) {
-    const auto piece =
-        all.subspan(static_cast<std::size_t>(from), static_cast<std::size_t>(to - from));
-    deflate_piece(piece, false, 1, stream);
-    adler = adler32_joined(adler, adler32_of(piece), piece.size());
+  for (const Repeats repeats : {Repeats::kAny, Repeats::kRuns}) {
+    Bytes stream = {0x78, 0x01};
+    std::uint32_t adler = 1;
+    for (const auto& [from, to] : {std::pair{0, 100000}, {100000, 100001}, {100001, 300000}}) {
+      const auto piece =
+          all.subspan(static_cast<std::size_t>(from), static_cast<std::size_t>(to - from));
+      deflate_piece(piece, false, 1, repeats, stream);
+      adler = adler32_joined(adler, adler32_of(piece), piece.size());
+    }
+    deflate_piece({}, true, 1, repeats, stream);
+    EXPECT_EQ(adler, adler32_of(bytes));
+    for (int shift = 24; shift >= 0; shift -= 8)
+      stream.push_back(static_cast<std::uint8_t>(adler >> shift));
+    EXPECT_EQ(inflated(stream, bytes.size()), bytes);
   }
-  deflate_piece({}, true, 1, stream);
-  EXPECT_EQ(adler, adler32_of(bytes));
-  for (int shift = 24; shift >= 0; shift -= 8)
-    stream.push_back(static_cast<std::uint8_t>(adler >> shift));
-  EXPECT_EQ(inflated(stream, bytes.size()), bytes);
 }
 
 TEST(Deflate, ChecksumsAreTheKnownOnes) {
