@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/shading/horizon_row.h"
 #include "core/shading/lamp_uniforms.h"
-#include "core/shading/shader_source.h"
 
 namespace pentimento {
 namespace {
@@ -54,26 +54,54 @@ HorizonLines horizon_lines(const CanvasGeometry& grid) {
   return lines;
 }
 
-Result<GlProgram> link_horizon_program(const GlFunctions& gl, const ShadeVariant& variant) {
-  const std::string version = kGlslVersion;
-  return GlProgram::link(gl, version + std::string(shader_source("triangle.vert.glsl")),
-                         version + variant.defines() + std::string(shader_source("lamps.glsl")) +
-                             std::string(shader_source("horizon.frag.glsl")));
-}
+HorizonSearch::HorizonSearch(const CanvasGeometry& grid, const Lighting& lighting,
+                             const Threads& threads)
+    : grid_(grid),
+      lamps_(shining(lighting)),
+      relief_scale_(lighting.relief_scale),
+      threads_(threads),
+      lines_(horizon_lines(grid)),
+      border_(horizon_border(grid)),
+      planes_(static_cast<std::size_t>(horizon_planes(static_cast<int>(lamps_.size())))) {}
 
-void set_horizon_uniforms(const GlProgram& program, const CanvasGeometry& grid,
-                          const Lighting& lighting) {
-  const HorizonLines lines = horizon_lines(grid);
-  const int border = horizon_border(grid);
-  program.set("relief", static_cast<int>(kRelief));
-  program.set("relief_border", border);
-  program.set("relief_scale", lighting.relief_scale);
-  program.set("sky_directions", kSkyDirections);
-  program.set("sky_steps", static_cast<int>(lines.sky.size()) / kSkyDirections);
-  program.set("shadow_steps", static_cast<int>(lines.shadow.size()));
-  program.set_vec3("sky_step", lines.sky[0].data(), static_cast<int>(lines.sky.size()));
-  program.set_floats("shadow_step", lines.shadow.data(), static_cast<int>(lines.shadow.size()));
-  set_lamp_uniforms(program, grid, lighting);
+const std::vector<std::vector<float>>& HorizonSearch::search(const std::vector<float>& relief,
+                                                             const CellWindow& window) {
+  const auto width = static_cast<std::size_t>(window.width);
+  const std::ptrdiff_t stride = window.width + 2 * border_;
+  height_.resize(relief.size() / 2);
+  const auto rows = static_cast<std::size_t>(stride);
+  threads_.for_rows(window.height + 2 * border_, [&](int y) {
+    const std::size_t first = rows * static_cast<std::size_t>(y);
+    for (std::size_t i = first; i < first + rows; ++i) height_[i] = relief[2 * i] * relief_scale_;
+  });
+  for (std::vector<float>& plane : planes_)
+    plane.assign(4 * width * static_cast<std::size_t>(window.height), 1.0f);
+  const float dx = grid_.dx_m(), dy = grid_.dy_m();
+  threads_.for_rows(window.height, [&](int y) {
+    std::vector<float> seen(width);
+    const HeightRows around = {height_.data() + (y + border_) * stride + border_, stride, dx, dy};
+    const auto put = [&](std::size_t value) {
+      float* out = planes_[value / 4].data() + 4 * width * static_cast<std::size_t>(y) + value % 4;
+      for (std::size_t x = 0; x < width; ++x) out[4 * x] = seen[x];
+    };
+    sky_seen_row(around, lines_, seen);
+    put(0);
+    for (std::size_t i = 0; i < lamps_.size(); ++i) {
+      if (lamps_[i].position_m) {
+        const NearLamp lamp = {
+            *lamps_[i].position_m,
+            {static_cast<float>(grid_.width_m / 2), static_cast<float>(grid_.height_m / 2)},
+            window.x,
+            window.y + y,
+            relief_scale_ > 0 ? 1 / relief_scale_ : 0};
+        near_lamp_seen_row(around, lines_, lamp, seen);
+      } else {
+        lamp_seen_row(around, lines_, lamps_[i].direction, seen);
+      }
+      put(i + 1);
+    }
+  });
+  return planes_;
 }
 
 }  // namespace pentimento

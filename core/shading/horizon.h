@@ -1,12 +1,14 @@
 #pragma once
-// The pass before shading: what the relief leaves of sky and lamps in each cell of a tile's window
-// (shaders/horizon.frag.glsl), and the lines of cells along which it looks.
+// What the relief leaves of sky and lamps in each cell of a tile's window, by a search for the
+// horizon along lines of cells, before the tile is shaded. On the processor: its rows of neighbours
+// are read in order here, one by one in a shader.
 
 #include <array>
 #include <vector>
 
-#include "core/canvas_state.h"
-#include "core/shading/shade_program.h"
+#include "core/canvas_source.h"
+#include "core/optics/lighting.h"
+#include "core/threads.h"
 
 namespace pentimento {
 
@@ -14,7 +16,6 @@ namespace pentimento {
 inline constexpr float kHorizonReach_m = 0.006f;
 inline constexpr int kMostReach_cells = 64;
 inline constexpr int kSkyDirections = 8;
-inline constexpr int kMostSteps = 16;  // along a line
 
 /// Cells of relief needed on every side: the reach on the axis with the smaller cells, and one for
 /// the interpolation across the line.
@@ -28,9 +29,29 @@ struct HorizonLines {
 /// cells, and the same for every cell of the grid.
 HorizonLines horizon_lines(const CanvasGeometry& grid);
 
-Result<GlProgram> link_horizon_program(const GlFunctions& gl, const ShadeVariant& variant);
-/// Sets all uniforms but the tile's; the program must be in use.
-void set_horizon_uniforms(const GlProgram& program, const CanvasGeometry& grid,
-                          const Lighting& lighting);
+/// RGBA texels of what is seen with so many lamps that shine: the sky, then each.
+constexpr int horizon_planes(int lamps) {
+  return (lamps + 4) / 4;
+}
+
+class HorizonSearch {
+ public:
+  HorizonSearch(const CanvasGeometry& grid, const Lighting& lighting, const Threads& threads);
+
+  /// `relief`: two floats a cell, the first its height (m), of `window` and horizon_border() cells
+  /// around it. Gives the texels of each plane, packed; 0..1.
+  const std::vector<std::vector<float>>& search(const std::vector<float>& relief,
+                                                const CellWindow& window);
+
+ private:
+  CanvasGeometry grid_;
+  std::vector<Lamp> lamps_;
+  float relief_scale_;
+  const Threads& threads_;
+  HorizonLines lines_;
+  int border_;
+  std::vector<float> height_;  // of the window and its border, times the relief's scale
+  std::vector<std::vector<float>> planes_;
+};
 
 }  // namespace pentimento

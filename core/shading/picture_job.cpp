@@ -45,8 +45,8 @@ class TileTextures {
     }
     const CellWindow wider{window.x - border_, window.y - border_, window.width + 2 * border_,
                            window.height + 2 * border_};
-    pack_relief(canvas, wider, texels_);
-    relief_.upload(wider.width, wider.height, texels_.data());
+    pack_relief(canvas, wider, relief_texels_);
+    relief_.upload(wider.width, wider.height, relief_texels_.data());
     for (int layer = 0; layer < variant.layers; ++layer) {
       for (int plane = 0; plane < variant.planes(); ++plane) {
         pack_amounts(canvas, layer, plane, window, texels_);
@@ -56,6 +56,9 @@ class TileTextures {
     }
     return window;
   }
+
+  /// What pack_relief() gave for the window uploaded last, with its border.
+  const std::vector<float>& relief_texels() const { return relief_texels_; }
 
   void bind() const {
     columns_.bind(kColumns);
@@ -72,35 +75,37 @@ class TileTextures {
   int border_;
   GlTexture columns_, rows_, ground_, relief_, amounts_;
   std::optional<GlTexture> dry_;  // bands of a spectral canvas
-  std::vector<float> texels_;
+  std::vector<float> texels_, relief_texels_;
 };
 
-/// What the relief leaves of sky and lamps in a tile's window, drawn before the tile.
-class HorizonPass {
+/// What the relief leaves of sky and lamps in a tile's window, searched before the tile is drawn.
+class HorizonTextures {
  public:
-  HorizonPass(const GlFunctions& gl, const GlProgram& program, const ShadeScene& scene,
-              const PictureLayout& layout)
-      : program_(program),
-        planes_(layout.variant.occlusion_planes()),
-        targets_(gl, layout.x.most_cells(layout.tiles.width),
-                 layout.y.most_cells(layout.tiles.height), planes_) {
-    program_.use();
-    set_horizon_uniforms(program_, scene.canvas.geometry(), scene.lighting);
+  HorizonTextures(const GlFunctions& gl, const ShadeScene& scene, const PictureLayout& layout,
+                  const Threads& threads)
+      : search_(scene.canvas.geometry(), scene.lighting, threads) {
+    for (int i = 0; i < layout.variant.occlusion_planes(); ++i) {
+      planes_.emplace_back(gl, TexelFormat::kRgba, layout.x.most_cells(layout.tiles.width),
+                           layout.y.most_cells(layout.tiles.height));
+    }
   }
-  bool complete() const { return targets_.complete(); }
 
-  /// The window's relief is bound.
-  void draw(const CellWindow& window) {
-    program_.use();
-    set_first_cell(program_, window.x, window.y);
-    targets_.draw(window.width, window.height);
-    for (int i = 0; i < planes_; ++i) targets_.texture(i).bind(kSeenFirst + i);
+  /// `relief`: as the search takes it.
+  void upload(const std::vector<float>& relief, const CellWindow& window) {
+    const std::vector<std::vector<float>>& seen = search_.search(relief, window);
+    for (std::size_t i = 0; i < planes_.size(); ++i) {
+      planes_[i].upload(window.width, window.height, seen[i].data());
+    }
+  }
+
+  void bind() const {
+    for (std::size_t i = 0; i < planes_.size(); ++i)
+      planes_[i].bind(kSeenFirst + static_cast<int>(i));
   }
 
  private:
-  const GlProgram& program_;
-  int planes_;
-  GlTargets targets_;
+  HorizonSearch search_;
+  std::vector<GlTexture> planes_;
 };
 
 /// The camera's picture as a texture; nothing without one.
@@ -188,21 +193,10 @@ PictureLayout lay_out(const ShadeScene& scene, const ShadeRequest& request,
   return out;
 }
 
-Result<ShadePrograms> link_programs(const GlFunctions& gl, const ShadeVariant& variant) {
-  auto shade = link_shade_program(gl, variant);
-  if (!shade) return shade.error();
-  ShadePrograms programs{std::move(*shade), std::nullopt};
-  if (!variant.occlusion) return programs;
-  auto horizon = link_horizon_program(gl, variant);
-  if (!horizon) return horizon.error();
-  programs.horizon.emplace(std::move(*horizon));
-  return programs;
-}
-
-Result<void> shade_picture(const GlFunctions& gl, const ShadePrograms& programs,
-                           const ShadeScene& scene, const PictureLayout& layout,
-                           const std::vector<PlaneSource>& planes,
+Result<void> shade_picture(const ShadeTools& tools, const ShadeScene& scene,
+                           const PictureLayout& layout, const std::vector<PlaneSource>& planes,
                            const std::vector<PictureSink*>& sinks) {
+  const GlFunctions& gl = tools.gl;
   const TilePlan& tiles = layout.tiles;
   const auto out_of_memory = [] {
     return Error{ErrorCode::kLimit, "OpenGL has no memory for a tile; try a smaller one"};
@@ -210,13 +204,12 @@ Result<void> shade_picture(const GlFunctions& gl, const ShadePrograms& programs,
   TileTextures textures(gl, layout);
   GlTargets targets(gl, tiles.width, tiles.height, layout.variant.targets);
   const std::optional<GlTexture> reflection = reflection_texture(gl, scene.lighting.reflection);
-  std::optional<HorizonPass> horizon;
-  if (programs.horizon) horizon.emplace(gl, *programs.horizon, scene, layout);
-  if ((horizon && !horizon->complete()) || !targets.complete() || gl.GetError() != GL_NO_ERROR)
-    return out_of_memory();
-  programs.shade.use();
-  set_shade_uniforms(programs.shade, {scene.basis, scene.model, scene.lighting,
-                                      scene.canvas.geometry(), layout.border});
+  std::optional<HorizonTextures> horizon;
+  if (layout.variant.occlusion) horizon.emplace(gl, scene, layout, tools.threads);
+  if (!targets.complete() || gl.GetError() != GL_NO_ERROR) return out_of_memory();
+  tools.program.use();
+  set_shade_uniforms(tools.program, {scene.basis, scene.model, scene.lighting,
+                                     scene.canvas.geometry(), layout.border});
 
   const int left = tiles.columns.front().first, top = tiles.rows.front().first;
   const int width = tiles.columns.back().first + tiles.columns.back().count - left;
@@ -228,10 +221,11 @@ Result<void> shade_picture(const GlFunctions& gl, const ShadePrograms& programs,
     for (const TileRun& column : tiles.columns) {
       const CellWindow window = textures.upload(
           scene.canvas, layout.variant, axis_window(layout.x, column.first, column.count), y);
+      if (horizon) horizon->upload(textures.relief_texels(), window);
+      // Uploading binds to whichever unit is active, so all is bound only now.
       textures.bind();
-      if (horizon) horizon->draw(window);
-      programs.shade.use();
-      set_first_cell(programs.shade, window.x, window.y);
+      if (horizon) horizon->bind();
+      set_first_cell(tools.program, window.x, window.y);
       if (reflection) reflection->bind(kReflectionMap);
       targets.draw(column.count, row.count);
       for (int t = 0; t < layout.variant.targets; ++t) {

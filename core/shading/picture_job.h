@@ -1,7 +1,6 @@
 #pragma once
 // One picture, tile by tile: upload the window of the canvas, draw, read back, hand out strips.
 
-#include <optional>
 #include <vector>
 
 #include "core/shading/aov.h"
@@ -10,6 +9,7 @@
 #include "core/shading/shade_program.h"
 #include "core/shading/shader.h"
 #include "core/shading/tile_plan.h"
+#include "core/threads.h"
 
 namespace pentimento {
 
@@ -33,17 +33,16 @@ struct PictureLayout {
 PictureLayout lay_out(const ShadeScene& scene, const ShadeRequest& request,
                       const std::vector<PlaneSource>& planes);
 
-/// The programs of a variant.
-struct ShadePrograms {
-  GlProgram shade;
-  std::optional<GlProgram> horizon;  // with occlusion
+/// What a picture is made with; all outlive it.
+struct ShadeTools {
+  const GlFunctions& gl;
+  const GlProgram& program;  // of the layout's variant
+  const Threads& threads;
 };
-Result<ShadePrograms> link_programs(const GlFunctions& gl, const ShadeVariant& variant);
 
 /// The context is current. Strips go to each sink in turn; the first failure ends it.
-Result<void> shade_picture(const GlFunctions& gl, const ShadePrograms& programs,
-                           const ShadeScene& scene, const PictureLayout& layout,
-                           const std::vector<PlaneSource>& planes,
+Result<void> shade_picture(const ShadeTools& tools, const ShadeScene& scene,
+                           const PictureLayout& layout, const std::vector<PlaneSource>& planes,
                            const std::vector<PictureSink*>& sinks);
 
 }  // namespace pentimento

@@ -6,7 +6,6 @@
 #include "core/optics/microfacet.h"
 #include "core/optics/spectral/band_weights.h"
 #include "core/optics/tone.h"
-#include "core/shading/horizon.h"
 #include "core/shading/lamp_uniforms.h"
 #include "core/shading/shader_source.h"
 
@@ -87,9 +86,8 @@ std::string ShadeVariant::defines() const {
                      define("REFLECTION_MAP", reflection_map) + define("SPECTRAL", spectral) +
                      define("BAND_TEXELS", band_texels()) + define("INTERFACE", interface) +
                      define("REFLECTION_MAP", reflection_map) + define("LAMPS", lamps) +
-                     define("OCCLUSION_PLANES", occlusion_planes()) +
-                     define("SKY_DIRECTIONS", kSkyDirections) + define("MOST_STEPS", kMostSteps) +
-                     "#define EMPTY_AMOUNT " + std::to_string(kEmptyLayerAmount * 1e7f) + "e-7\n";
+                     define("OCCLUSION_PLANES", occlusion_planes()) + "#define EMPTY_AMOUNT " +
+                     std::to_string(kEmptyLayerAmount * 1e7f) + "e-7\n";
   for (std::size_t i = 1; i < target.size(); ++i) {
     if (target[i] >= 0) text += define(kTargetDefine[i], target[i]);
   }

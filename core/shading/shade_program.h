@@ -11,6 +11,7 @@
 #include "core/optics/lighting.h"
 #include "core/shading/aov.h"
 #include "core/shading/gl/objects.h"
+#include "core/shading/horizon.h"
 
 namespace pentimento {
 
@@ -32,7 +33,7 @@ struct ShadeVariant {
   int targets = 1;
 
   /// RGBA texels of what the relief leaves of sky and lamps.
-  int occlusion_planes() const { return occlusion ? (lamps + 4) / 4 : 0; }
+  int occlusion_planes() const { return occlusion ? horizon_planes(lamps) : 0; }
   /// RGBA texels of one layer's channels.
   int planes() const { return (channels + 3) / 4; }
   /// RGBA texels of the bands.

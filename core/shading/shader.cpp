@@ -18,11 +18,11 @@ namespace {
 
 class GlShader : public Shader {
  public:
-  static Result<std::unique_ptr<Shader>> open(std::unique_ptr<GlContext> context) {
+  static Result<std::unique_ptr<Shader>> open(std::unique_ptr<GlContext> context, int threads) {
     if (auto current = context->make_current(); !current) return current.error();
     auto functions = load_gl_functions(*context);
     if (!functions) return functions.error();
-    std::unique_ptr<GlShader> shader(new GlShader(std::move(context), *functions));
+    std::unique_ptr<GlShader> shader(new GlShader(std::move(context), *functions, threads));
     shader->context_->release();
     return std::unique_ptr<Shader>(std::move(shader));
   }
@@ -50,8 +50,8 @@ class GlShader : public Shader {
   std::string description() const override { return description_; }
 
  private:
-  GlShader(std::unique_ptr<GlContext> context, const GlFunctions& gl)
-      : context_(std::move(context)), gl_(gl) {
+  GlShader(std::unique_ptr<GlContext> context, const GlFunctions& gl, int threads)
+      : context_(std::move(context)), gl_(gl), threads_(std::max(threads, 1)) {
     const auto text = [&](GLenum name) {
       const GLubyte* s = gl_.GetString(name);
       return s == nullptr ? std::string() : std::string(reinterpret_cast<const char*>(s));
@@ -111,17 +111,18 @@ class GlShader : public Shader {
     auto program = programs_.find(layout.variant);
     if (program == programs_.end()) {
       if (auto fits = check_gl_limits(gl_, layout.variant); !fits) return fits;
-      auto linked = link_programs(gl_, layout.variant);
+      auto linked = link_shade_program(gl_, layout.variant);
       if (!linked) return linked.error();
       program = programs_.emplace(layout.variant, std::move(*linked)).first;
     }
-    return shade_picture(gl_, program->second, scene, layout, planes, sinks);
+    return shade_picture({gl_, program->second, threads_}, scene, layout, planes, sinks);
   }
 
   std::unique_ptr<GlContext> context_;
   GlFunctions gl_;
   std::string description_;
-  std::map<ShadeVariant, ShadePrograms> programs_;
+  std::map<ShadeVariant, GlProgram> programs_;
+  Threads threads_;
 };
 
 }  // namespace
@@ -135,7 +136,7 @@ Result<std::unique_ptr<Shader>> Shader::open(GlBackend backend, int gl_threads) 
   for (const auto& [kind, open_context] : backends) {
     if (backend != GlBackend::kAuto && backend != kind) continue;
     auto context = open_context();
-    auto shader = context ? GlShader::open(std::move(*context))
+    auto shader = context ? GlShader::open(std::move(*context), gl_threads)
                           : Result<std::unique_ptr<Shader>>(context.error());
     if (shader) return shader;
     reasons += (reasons.empty() ? "" : "; ") + shader.error().message;

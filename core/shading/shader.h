@@ -34,8 +34,8 @@ struct ShadeRequest {
 class Shader {
  public:
   /// Opens the context. kAuto: OSMesa, then EGL. `gl_threads`: Mesa's own (0 = in the caller),
-  /// which it reads once per process. Sets environment variables: call it before other threads
-  /// start.
+  /// which it reads once per process, and those of what is computed beside it. Sets environment
+  /// variables: call it before other threads start.
   static Result<std::unique_ptr<Shader>> open(GlBackend backend, int gl_threads);
   virtual ~Shader() = default;
   /// Shades `canvas` into `sinks`, strip by strip; strips count rows from the top of the crop. The

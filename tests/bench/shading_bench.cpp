@@ -41,7 +41,8 @@ Canvas painted_canvas(int bands, int grid) {
   return out;
 }
 
-void shade_canvas(benchmark::State& state, int picture_width, const Canvas& canvas) {
+void shade_canvas(benchmark::State& state, int picture_width, const Canvas& canvas,
+                  const Lighting& light = {}) {
   auto shader = Shader::open(GlBackend::kAuto, static_cast<int>(state.range(0)));
   if (!shader) {
     state.SkipWithError(shader.error().message.c_str());
@@ -52,7 +53,7 @@ void shade_canvas(benchmark::State& state, int picture_width, const Canvas& canv
   request.height = picture_width * 3 / 4;
   Drop drop;
   const auto picture = [&] {
-    auto done = (*shader)->shade(StateSource(canvas.state), canvas.basis, canvas.model, Lighting{},
+    auto done = (*shader)->shade(StateSource(canvas.state), canvas.basis, canvas.model, light,
                                  request, {&drop});
     if (!done) state.SkipWithError(done.error().message.c_str());
   };
@@ -75,49 +76,39 @@ void shade_bands(benchmark::State& state) {
   shade_canvas(state, 1024, painted_canvas(static_cast<int>(state.range(1)), 1024));
 }
 
-/// What each part of the light costs, cell by cell at 1024 x 768. Arguments: Mesa's threads; 0
-/// nothing but the room, 1 and one lamp, 2 and occlusion with it, 3 and the camera's picture,
-/// varnish and white balance, 4 everything with seven lamps, near and far.
-void shade_feature(benchmark::State& state) {
-  auto shader = Shader::open(GlBackend::kAuto, static_cast<int>(state.range(0)));
-  if (!shader) {
-    state.SkipWithError(shader.error().message.c_str());
-    return;
-  }
-  const int features = static_cast<int>(state.range(1));
+/// The light of shade_feature's argument.
+Lighting lighting_of(int features) {
   Lighting light;
   if (features == 0) light.lamps[0].intensity = 0;
   light.occlusion = features >= 2 ? 1 : 0;
   if (features >= 3) {
-    for (Field<float>& plane : light.reflection.rgb) {
-      plane = Field<float>(640, 360);
-      plane.fill(0.4f);
-    }
+    for (Field<float>& plane : light.reflection.rgb) plane = Field<float>(640, 360, 0.4f);
     light.varnish = 0.5f;
     light.white_xy = {0.38f, 0.38f};
   }
-  for (int i = 1; features >= 4 && i < kMostLamps; ++i) {
+  const int lamps = features < 4 ? 1 : features < 6 ? 3 : kMostLamps;
+  for (int i = 1; i < lamps; ++i) {
     Lamp lamp;
     if (i % 2 == 1) lamp.position_m = {0.03f * static_cast<float>(i), 0.1f, 0.3f};
     light.lamps.push_back(lamp);
   }
-  ShadeRequest request;
-  request.width = 1024;
-  request.height = 768;
-  const ChannelBasis basis = palette_channels(painted::palette());
-  const CanvasState canvas = painted::scene(basis, 1024, 768);
-  Drop drop;
-  const auto picture = [&] {
-    auto done = (*shader)->shade(StateSource(canvas), basis, Model{}, light, request, {&drop});
-    if (!done) state.SkipWithError(done.error().message.c_str());
-  };
-  picture();
-  for (auto _ : state) picture();
+  return light;
+}
+
+/// What each part of the light costs, cell by cell at 1024 x 768. Arguments: Mesa's threads; 0
+/// nothing but the room, 1 and one lamp, 2 and occlusion and shadows with it, 3 and the camera's
+/// picture, varnish and white balance, 4 and two more lamps, one of them near, 5 and 15 bands, 6
+/// seven lamps in RGB.
+void shade_feature(benchmark::State& state) {
+  constexpr int kSpectral = 5;
+  const int features = static_cast<int>(state.range(1));
+  shade_canvas(state, 1024, painted_canvas(features == kSpectral ? 15 : 0, 1024),
+               lighting_of(features));
 }
 
 BENCHMARK(shade_feature)
     ->ArgNames({"gl_threads", "features"})
-    ->ArgsProduct({{1, 2}, {0, 1, 2, 3, 4}})
+    ->ArgsProduct({{1, 2}, {0, 1, 2, 3, 4, 5, 6}})
     ->Unit(benchmark::kMillisecond)
     ->MeasureProcessCPUTime()
     ->UseRealTime();

@@ -46,7 +46,7 @@ float covered(float film_m) { return 1.0 - exp(-max(film_m, 0.0) * 1e4); }
 // and of the paint that it lies on.
 float smooth_share(float film_m) { return 1.0 - exp(-max(film_m, 0.0) * 2.5e3); }
 
-// Shares of the sky and of the lamps that the relief leaves: horizon.frag.glsl.
+// Shares of the sky and of the lamps that the relief leaves: horizon.h.
 struct Seen {
   float sky;
   float lamp[LAMPS + 1];
