@@ -99,7 +99,8 @@ TEST_F(LevelTest, StiffPaintKeepsItsShape) {
 TEST_F(LevelTest, ReducesToTheGuideAfterwards) {
   level(1, 10);
   for (const int p : {-1, 0})
-    EXPECT_LT(test::reduced_difference(canvas_, guide_, p), 5e-7);  // rounding of each cell
+    EXPECT_LT(test::reduced_difference(canvas_, guide_, p).relative_l2,
+              5e-7);  // rounding of each cell
 }
 
 }  // namespace

@@ -153,15 +153,20 @@ inline double block_mean(const DetailCanvas& canvas, const WetPlane& q, int x, i
   return sum / (k * k);
 }
 
-/// How far the detail, reduced, is from the guide, relative L2: depth (-1) or a channel, summed
-/// over its layers.
-inline double reduced_difference(const DetailCanvas& canvas, const CanvasState& guide,
-                                 int channel) {
+/// How far the detail, reduced, is from the guide.
+struct Difference {
+  double relative_l2 = 0;  // the L2 norm itself where the guide has nothing
+  double psnr_db = 0;      // of the largest value that the guide has
+};
+
+/// Of the depth (-1) or a channel, summed over its layers.
+inline Difference reduced_difference(const DetailCanvas& canvas, const CanvasState& guide,
+                                     int channel) {
   std::vector<WetPlane> planes;
   for (int layer = 0; layer < guide.layers; ++layer)
     planes.push_back(WetPlane{layer * guide.channels + channel});
   if (channel < 0) planes = {WetPlane{}};
-  double difference = 0, size = 0;
+  double difference = 0, size = 0, largest = 0;
   for (int y = 0; y < guide.geometry.height; ++y) {
     for (int x = 0; x < guide.geometry.width; ++x) {
       double wanted = 0, held = 0;
@@ -171,9 +176,12 @@ inline double reduced_difference(const DetailCanvas& canvas, const CanvasState& 
       }
       difference += (held - wanted) * (held - wanted);
       size += wanted * wanted;
+      largest = std::max(largest, wanted);
     }
   }
-  return size > 0 ? std::sqrt(difference / size) : std::sqrt(difference);
+  const double cells = static_cast<double>(guide.geometry.width) * guide.geometry.height;
+  return {size > 0 ? std::sqrt(difference / size) : std::sqrt(difference),
+          10 * std::log10(largest * largest * cells / difference)};
 }
 
 }  // namespace pentimento::test
