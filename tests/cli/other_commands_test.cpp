@@ -167,7 +167,18 @@ TEST(CommandRelight, ALightPathIsAlsoAFilm) {
   EXPECT_EQ(place.files(), 7u);
 }
 
-TEST(CommandRelight, WhatAPictureOrAVideoShowsIsReflectedAtItsTime) {
+TEST(CommandRelight, InTheSameLightAndBeforeTheSameCameraItIsTheRender) {
+  Workplace place;
+  ASSERT_EQ(place.run("render a.jsonl -o plain.png -o front.png --varnish 1").code, 0);
+  place.write("c.jsonl", kSmallLog + R"({"t":1.2,"type":"camera","file":"front.png","fov":90})"
+                                     "\n");
+  ASSERT_EQ(place.run("render c.jsonl -o a.png -o a.h5 --varnish 1").code, 0);
+  ASSERT_EQ(place.run("relight a.h5 -o b.png --tile 40").code, 0);
+  EXPECT_EQ(place.run("compare a.png b.png").code, 0);
+  EXPECT_EQ(place.run("compare a.png plain.png").code, 1);
+}
+
+TEST(CommandRelight, WhatAVideoShowsIsReflectedAtItsTime) {
   Workplace place;
   // Half a second dark, half a second bright; the event happens at 0.2 s of the log.
   FilmOptions film;
