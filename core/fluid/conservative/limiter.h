@@ -1,17 +1,15 @@
 #pragma once
 // Limited differences for linear profiles in cells; inlined into the remap kernels.
 
+#include <cmath>
+
 namespace pentimento::conservative {
 
 inline float smaller_magnitude(float a, float b) {
-  const float abs_a = a < 0 ? -a : a;
-  const float abs_b = b < 0 ? -b : b;
-  return abs_a < abs_b ? a : b;
+  return std::fabs(a) < std::fabs(b) ? a : b;
 }
 inline float larger_magnitude(float a, float b) {
-  const float abs_a = a < 0 ? -a : a;
-  const float abs_b = b < 0 ? -b : b;
-  return abs_a > abs_b ? a : b;
+  return std::fabs(a) > std::fabs(b) ? a : b;
 }
 
 /// Monotonised central difference: the mean difference, at most twice either; 0 at extrema.
@@ -22,12 +20,26 @@ inline float limited_mc(float below, float above) {
   return below * above > 0 ? slope : 0.0f;
 }
 
+/// Half of it, in fewer operations: where it is not 0, both differences have the same sign.
+inline float half_limited_mc(float below, float above) {
+  const float size_below = std::fabs(below);
+  const float size_above = std::fabs(above);
+  const float steep = size_below < size_above ? size_below : size_above;
+  const float mean = 0.25f * (size_below + size_above);
+  const float half = mean < steep ? mean : steep;
+  return below * above > 0 ? std::copysign(half, below) : 0.0f;
+}
+
 /// Superbee: the steepest difference that makes no new extremum. Source: Roe, Ann. Rev. Fluid
 /// Mech. 18 (1986) 337-365.
 inline float limited_superbee(float below, float above) {
   const float slope =
       larger_magnitude(smaller_magnitude(2 * below, above), smaller_magnitude(below, 2 * above));
   return below * above > 0 ? slope : 0.0f;
+}
+
+inline float half_limited_superbee(float below, float above) {
+  return 0.5f * limited_superbee(below, above);
 }
 
 }  // namespace pentimento::conservative

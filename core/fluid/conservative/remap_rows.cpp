@@ -7,7 +7,7 @@
 namespace pentimento::conservative {
 namespace {
 
-template <float (*limited)(float, float)>
+template <float (*half_limited)(float, float)>
 inline void flux_cells(const LoHi& tau, float rounder, const ThreeRows& value, int n,
                        float* __restrict out_lo, float* __restrict out_hi) {
   const float* __restrict tau_lo = tau.lo;
@@ -18,7 +18,7 @@ inline void flux_cells(const LoHi& tau, float rounder, const ThreeRows& value, i
   PENTIMENTO_INDEPENDENT
   for (int i = 0; i < n; ++i) {
     const float m = here[i];
-    const float half_slope = 0.5f * limited(m - before[i], after[i] - m);
+    const float half_slope = half_limited(m - before[i], after[i] - m);
     const float hi = rounded(tau_hi[i] * (m + half_slope * (1 - tau_hi[i])), rounder);
     const float kept_hi = hi < m ? hi : m;
     const float lo = rounded(tau_lo[i] * (m - half_slope * (1 - tau_lo[i])), rounder);
@@ -31,13 +31,13 @@ inline void flux_cells(const LoHi& tau, float rounder, const ThreeRows& value, i
 PENTIMENTO_KERNEL
 void flux_rows_mc(const LoHi& tau, float rounder, const ThreeRows& value, int n, float* out_lo,
                   float* out_hi) {
-  flux_cells<limited_mc>(tau, rounder, value, n, out_lo, out_hi);
+  flux_cells<half_limited_mc>(tau, rounder, value, n, out_lo, out_hi);
 }
 
 PENTIMENTO_KERNEL
 void flux_rows_superbee(const LoHi& tau, float rounder, const ThreeRows& value, int n,
                         float* out_lo, float* out_hi) {
-  flux_cells<limited_superbee>(tau, rounder, value, n, out_lo, out_hi);
+  flux_cells<half_limited_superbee>(tau, rounder, value, n, out_lo, out_hi);
 }
 
 }  // namespace
@@ -74,7 +74,7 @@ void momentum_flux_rows(const LoHi& tau, const ThreeRows& velocity, const LoHi& 
   PENTIMENTO_INDEPENDENT
   for (int i = 0; i < n; ++i) {
     const float u = here[i];
-    const float half_slope = 0.5f * limited_mc(u - before[i], after[i] - u);
+    const float half_slope = half_limited_mc(u - before[i], after[i] - u);
     out_hi[i] = mass_hi[i] * (u + half_slope * (1 - tau_hi[i]));
     out_lo[i] = mass_lo[i] * (u - half_slope * (1 - tau_lo[i]));
   }

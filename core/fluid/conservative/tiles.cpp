@@ -1,7 +1,11 @@
 #include "core/fluid/conservative/tiles.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
+
+#include "core/fluid/conservative/kernel.h"
 
 namespace pentimento::conservative {
 namespace {
@@ -10,6 +14,27 @@ int tile_cells(float tile_m, float cell_m, int side) {
   int cells = 8;
   while (cells < side && static_cast<float>(2 * cells) * cell_m <= tile_m * 1.0001f) cells *= 2;
   return cells;
+}
+
+// A velocity without its sign, as bits: positive floats are ordered as their bits are, and a maximum
+// of integers may be taken in any order, many at a time.
+std::int32_t size_bits(float u) {
+  return std::bit_cast<std::int32_t>(u) & 0x7fffffff;
+}
+
+// Raises `most_u` and `most_v` to the sizes of two rows; whether any of them moves.
+PENTIMENTO_KERNEL
+bool raise_row(const float* __restrict u, const float* __restrict v, int n,
+               std::int32_t* __restrict most_u, std::int32_t* __restrict most_v) {
+  std::int32_t any = 0;
+  for (int i = 0; i < n; ++i) {
+    const std::int32_t size_u = std::bit_cast<std::int32_t>(u[i]) & 0x7fffffff;
+    const std::int32_t size_v = std::bit_cast<std::int32_t>(v[i]) & 0x7fffffff;
+    most_u[i] = size_u > most_u[i] ? size_u : most_u[i];
+    most_v[i] = size_v > most_v[i] ? size_v : most_v[i];
+    any |= size_u | size_v;
+  }
+  return any != 0;
 }
 
 int cells_reached(float reach) {
@@ -50,14 +75,36 @@ void Tiles::Motion::add(int x, int y, float cells_x, float cells_y) {
 
 Tiles::Motion Tiles::flow_in(const CanvasState& state, int tile, float dt_s) const {
   const CellBox b = box(tile);
-  const float to_cells_x = dt_s / dx_m_;
-  const float to_cells_y = dt_s / dy_m_;
+  const int left = std::max(b.x0 - 1, 0);
+  const int n = b.x1 - b.x0;
+  const auto columns = static_cast<std::size_t>(b.x1 - left);
+  std::vector<std::int32_t> most(2 * columns, 0);  // of each column, the size of u, then of v
+  std::int32_t* most_u = most.data();
+  std::int32_t* most_v = most_u + columns;
   Motion m;
   for (int y = std::max(b.y0 - 1, 0); y < b.y1; ++y) {
     const float* u = state.velocity_x_m_s.row(y);
     const float* v = state.velocity_y_m_s.row(y);
-    for (int x = std::max(b.x0 - 1, 0); x < b.x1; ++x)
-      if (u[x] != 0 || v[x] != 0) m.add(x, y, u[x] * to_cells_x, v[x] * to_cells_y);
+    bool moves = raise_row(u + b.x0, v + b.x0, n, most_u + (b.x0 - left), most_v + (b.x0 - left));
+    if (left < b.x0) {  // on its own, so that the others fill whole vectors
+      most_u[0] = std::max(most_u[0], size_bits(u[left]));
+      most_v[0] = std::max(most_v[0], size_bits(v[left]));
+      moves |= (size_bits(u[left]) | size_bits(v[left])) != 0;
+    }
+    if (!moves) continue;
+    if (m.box.empty()) m.box.y0 = y;
+    m.box.y1 = y + 2;
+    m.box.x1 = 1;  // not empty; the columns follow
+  }
+  if (m.box.empty()) return m;
+  m.box.x0 = b.x1;
+  for (std::size_t i = 0; i < columns; ++i) {
+    if ((most_u[i] | most_v[i]) == 0) continue;
+    const int x = left + static_cast<int>(i);
+    m.box.x0 = std::min(m.box.x0, x);
+    m.box.x1 = x + 2;
+    m.reach_x = std::max(m.reach_x, std::bit_cast<float>(most_u[i]) * (dt_s / dx_m_));
+    m.reach_y = std::max(m.reach_y, std::bit_cast<float>(most_v[i]) * (dt_s / dy_m_));
   }
   return m;
 }
