@@ -112,8 +112,7 @@ void ConservativeMoveMomentum(benchmark::State& state) {
   const StepInput in{b.model, b.gravity_m_s2, b.dt_s, b.contact, b.amount, b.pool};
   tiles.wake(b.state, in);
   fill_node_masses(b.state, tiles, b.pool, work);
-  fill_node_velocities(b.state, tiles, b.pool, work);
-  for (auto _ : state) move_momentum(b.state, in, axis, tiles, work);
+  for (auto _ : state) move_momentum(b.state, in, axis, Turn::kFirst, tiles, work);
   report(state);
 }
 BENCHMARK(ConservativeMoveMomentum)
@@ -134,7 +133,7 @@ void ConservativeVCycle(benchmark::State& state) {
       solver.cy().row(y)[x] = y + 1 < kHeight ? 50.0f : 0.0f;
     }
   const Threads threads(static_cast<int>(state.range(0)));
-  for (auto _ : state) solver.solve(1, 6, threads);
+  for (auto _ : state) solver.solve(1, 6, threads, {});
   report(state);
 }
 BENCHMARK(ConservativeVCycle)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();

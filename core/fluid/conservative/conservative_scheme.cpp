@@ -108,10 +108,9 @@ void ConservativeScheme::transport(CanvasState& state, const StepInput& in, bool
   const Axis first = even ? Axis::kX : Axis::kY;
   const Axis second = even ? Axis::kY : Axis::kX;
   fill_node_masses(state, *tiles_, in.threads, work_);
-  fill_node_velocities(state, *tiles_, in.threads, work_);
   passed("masses");
   for (const Axis axis : {first, second}) {
-    move_momentum(state, in, axis, *tiles_, work_);
+    move_momentum(state, in, axis, axis == first ? Turn::kFirst : Turn::kSecond, *tiles_, work_);
     passed(axis == Axis::kX ? "momentum_x" : "momentum_y");
   }
   for (const Axis axis : {first, second}) {
@@ -173,9 +172,10 @@ void ConservativeScheme::apply_viscosity(const CanvasState& state, const StepInp
                            viscosity.row(y + 1) + x, nodes->velocity_m_s.row(y) + x};
       viscous_row(v, per_dx2, per_dy2, r.size(),
                   {solver.cx().row(y) + x, solver.cy().row(y) + x, solver.zero_order().row(y) + x,
-                   solver.rhs().row(y) + x, solver.solution().row(y) + x});
+                   solver.rhs().row(y) + x});
     };
-    solver.solve(in.model.viscosity_cycles, levels, in.threads, {fill});
+    solver.solve(in.model.viscosity_cycles, levels, in.threads,
+                 {.guess = &solver.rhs(), .fill = {fill}});
     swap(solver.solution(), nodes->velocity_m_s);
   }
 }
@@ -205,8 +205,6 @@ void ConservativeScheme::fill_height(const CanvasState& state, const StepInput& 
                  in.dt_s / state.geometry.dy_m(), r.size(), rhs);
   crowding_row(crowding, state.depth_m.row(y) + x, state.base_m.row(y) + x, rhs, r.size(),
                work_.crowding_m_s2.row(y) + x);
-  std::fill_n(solver.zero_order().row(y) + x, r.size(), 1.0f);
-  std::copy_n(work_.height_m.row(y) + x, r.size(), solver.solution().row(y) + x);
 }
 
 void ConservativeScheme::fill_pressure(const CanvasState& state, const StepInput& in,
@@ -242,11 +240,13 @@ void ConservativeScheme::solve_height(CanvasState& state, const StepInput& in) {
   const float nearest = std::min(state.geometry.dx_m(), state.geometry.dy_m());
   const float strongest = (positive(in.gravity_m_s2.z) + in.model.crowding_m_s2) * in.dt_s *
                           in.dt_s * in.model.max_medium_m / (nearest * nearest);
-  work_.solver.solve(
-      in.model.height_cycles, work_.solver.levels_for(strongest), in.threads,
-      {[&](const Run& r) { apply_forces(in, r); }, [&](const Run& r) { fill_height(state, in, r); },
-       [&](const Run& r) { fill_pressure(state, in, r); }},
-      [&](const Run& r) { finish(state, in, r); });
+  work_.solver.solve(in.model.height_cycles, work_.solver.levels_for(strongest), in.threads,
+                     {.guess = &work_.height_m,
+                      .unit_zero_order = true,
+                      .fill = {[&](const Run& r) { apply_forces(in, r); },
+                               [&](const Run& r) { fill_height(state, in, r); },
+                               [&](const Run& r) { fill_pressure(state, in, r); }},
+                      .finish = [&](const Run& r) { finish(state, in, r); }});
 }
 
 bool ConservativeScheme::feels_gravity(const CellBox& b) const {

@@ -68,21 +68,41 @@ struct MomentumEdges {
   }
 };
 
+// Nodes of one component, and their velocities in the state.
+struct Nodes {
+  NodePlanes& planes;
+  const Field<float>& state_m_s;
+};
+Nodes nodes_x(const CanvasState& state, Workspace& work) {
+  return {work.x, state.velocity_x_m_s};
+}
+Nodes nodes_y(const CanvasState& state, Workspace& work) {
+  return {work.y, state.velocity_y_m_s};
+}
+
 struct BlockMover {
   RemapPlan plan;
   RemapScratch scratch;
 
-  void move(const Block& b, const RemapOptions& options, NodePlanes& nodes) {
+  void move(const Block& b, const RemapOptions& options, Turn turn, const Nodes& moved) {
+    NodePlanes& nodes = moved.planes;
     plan_remap(plan);
-    load_block(b, nodes.mass_m, scratch.cells(scratch.value, plan.step));
-    load_block(b, nodes.velocity_m_s, scratch.cells(scratch.momentum, plan.step));
+    float* mass = scratch.cells(scratch.value, plan.step);
+    float* velocity = scratch.cells(scratch.momentum, plan.step);
+    if (turn == Turn::kFirst) {
+      load_block(b, nodes.first_mass_m, mass);
+      load_block(b, moved.state_m_s, velocity);
+    } else {
+      load_block(b, nodes.mass_m, mass);
+      load_block(b, nodes.velocity_m_s, velocity);
+    }
     remap_momentum_block(plan, options, scratch);
-    store_block(b, scratch.cells(scratch.value, plan.step), nodes.mass_m);
-    store_block(b, scratch.cells(scratch.momentum, plan.step), nodes.velocity_m_s);
+    store_block(b, mass, nodes.mass_m);
+    store_block(b, velocity, nodes.velocity_m_s);
   }
 };
 
-// Moves a block of columns along y row by row, in place.
+// Moves a block of columns along y row by row: in place the second time, from what was the first.
 struct RowMover {
   std::vector<float> edge;
   EdgeStream edges;
@@ -97,14 +117,21 @@ struct RowMover {
     stream.resize(n);
   }
 
-  void move(const Block& b, const RemapOptions& options, NodePlanes& nodes) {
+  void move(const Block& b, const RemapOptions& options, Turn turn, const Nodes& moved) {
+    NodePlanes& nodes = moved.planes;
+    const bool first = turn == Turn::kFirst;
     constexpr float kNear = 0.49f;  // edges that move no further leave no cell shorter than 1/64
     const int height = b.height();
     const auto edge_row = [&](int r) { return edge.data() + r * n; };
     const auto row_of = [&](WorkPlane& plane, int r) { return plane.row(b.box.y0 + r) + b.box.x0; };
-    const auto rows_of = [&](WorkPlane& plane, int r) {
-      return ThreeRows{row_of(plane, std::max(r - 1, 0)), row_of(plane, r),
-                       row_of(plane, std::min(r + 1, height - 1))};
+    const auto mass_before = [&](int r) {
+      return row_of(first ? nodes.first_mass_m : nodes.mass_m, r);
+    };
+    const auto velocity_before = [&](int r) {
+      return first ? moved.state_m_s.row(b.box.y0 + r) + b.box.x0 : row_of(nodes.velocity_m_s, r);
+    };
+    const auto rows_of = [&](const auto& row, int r) {
+      return ThreeRows{row(std::max(r - 1, 0)), row(r), row(std::min(r + 1, height - 1))};
     };
     const bool all_near = !any_beyond_row(edge.data(), kNear, static_cast<int>(edge.size()));
     stream.begin();
@@ -112,13 +139,17 @@ struct RowMover {
       if (r < height) {
         const bool moves = any_motion_row(edge_row(r), 2 * n);
         edges.plan(r, edge_row(r), edge_row(r + 1), moves);
-        stream.flux(edges, options, r, rows_of(nodes.mass_m, r), rows_of(nodes.velocity_m_s, r));
+        stream.flux(edges, options, r, rows_of(mass_before, r), rows_of(velocity_before, r));
       } else {
         stream.end(r);
       }
-      if (r > 0)
-        stream.gather(edges, r - 1, row_of(nodes.mass_m, r - 1), row_of(nodes.velocity_m_s, r - 1),
-                      all_near);
+      if (r == 0) continue;
+      if (first) {
+        std::copy_n(mass_before(r - 1), n, row_of(nodes.mass_m, r - 1));
+        std::copy_n(velocity_before(r - 1), n, row_of(nodes.velocity_m_s, r - 1));
+      }
+      stream.gather(edges, r - 1, row_of(nodes.mass_m, r - 1), row_of(nodes.velocity_m_s, r - 1),
+                    all_near);
     }
     if (all_near) return;
     const auto target = [&](WorkPlane& plane) {
@@ -142,34 +173,22 @@ void fill_node_masses(const CanvasState& state, const Tiles& tiles, const Thread
   for_runs(threads, tiles.runs(), [&](const Run& r) {
     const float* d = state.depth_m.row(r.y);
     const float* below = state.depth_m.row(std::min(r.y + 1, height - 1));
-    float* mx = work.x.mass_m.row(r.y);
-    float* my = work.y.mass_m.row(r.y);
+    float* mx = work.x.first_mass_m.row(r.y);
+    float* my = work.y.first_mass_m.row(r.y);
     const int inner = std::min(r.x1, width - 1);
     for (int x = r.x0; x < inner; ++x) mx[x] = 0.5f * (d[x] + d[x + 1]);
     if (r.x1 == width) mx[width - 1] = 0.5f * d[width - 1];
     for (int x = r.x0; x < r.x1; ++x) my[x] = 0.5f * (d[x] + below[x]);
-    std::copy_n(mx + r.x0, r.size(), work.x.first_mass_m.row(r.y) + r.x0);
-    std::copy_n(my + r.x0, r.size(), work.y.first_mass_m.row(r.y) + r.x0);
   });
 }
 
-void fill_node_velocities(const CanvasState& state, const Tiles& tiles, const Threads& threads,
-                          Workspace& work) {
-  for_runs(threads, tiles.runs(), [&](const Run& r) {
-    std::copy_n(state.velocity_x_m_s.row(r.y) + r.x0, r.size(),
-                work.x.velocity_m_s.row(r.y) + r.x0);
-    std::copy_n(state.velocity_y_m_s.row(r.y) + r.x0, r.size(),
-                work.y.velocity_m_s.row(r.y) + r.x0);
-  });
-}
-
-void move_momentum_in_blocks(const CanvasState& state, const StepInput& in, Axis axis,
+void move_momentum_in_blocks(const CanvasState& state, const StepInput& in, Axis axis, Turn turn,
                              const Tiles& tiles, Workspace& work) {
   const RemapOptions options{in.model.superbee, 0};
   const float cell_m = axis == Axis::kX ? state.geometry.dx_m() : state.geometry.dy_m();
-  NodePlanes& along = axis == Axis::kX ? work.x : work.y;
-  NodePlanes& across = axis == Axis::kX ? work.y : work.x;
-  const MomentumEdges edges{state, in.dt_s / cell_m, axis, along.first_mass_m};
+  const Nodes along = axis == Axis::kX ? nodes_x(state, work) : nodes_y(state, work);
+  const Nodes across = axis == Axis::kX ? nodes_y(state, work) : nodes_x(state, work);
+  const MomentumEdges edges{state, in.dt_s / cell_m, axis, along.planes.first_mass_m};
   for_blocks(tiles, axis, in.threads, [&](int begin, int end, const auto& block_at) {
     BlockMover mover;
     for (int k = begin; k < end; ++k) {
@@ -177,16 +196,16 @@ void move_momentum_in_blocks(const CanvasState& state, const StepInput& in, Axis
       mover.plan.resize(b.cells(), b.step());
       mover.scratch.resize(b.cells(), b.step());
       edges.fill(b, true, mover.plan.edge);
-      mover.move(b, options, along);
+      mover.move(b, options, turn, along);
       edges.fill(b, false, mover.plan.edge);
-      mover.move(b, options, across);
+      mover.move(b, options, turn, across);
     }
   });
 }
 
-void move_momentum(const CanvasState& state, const StepInput& in, Axis axis, const Tiles& tiles,
-                   Workspace& work) {
-  if (axis == Axis::kX) return move_momentum_in_blocks(state, in, axis, tiles, work);
+void move_momentum(const CanvasState& state, const StepInput& in, Axis axis, Turn turn,
+                   const Tiles& tiles, Workspace& work) {
+  if (axis == Axis::kX) return move_momentum_in_blocks(state, in, axis, turn, tiles, work);
   const RemapOptions options{in.model.superbee, 0};
   const MomentumEdges edges{state, in.dt_s / state.geometry.dy_m(), axis, work.y.first_mass_m};
   for_wide_blocks(tiles, in.threads, [&](int begin, int end, const auto& block_at) {
@@ -195,9 +214,9 @@ void move_momentum(const CanvasState& state, const StepInput& in, Axis axis, con
       const Block b = block_at(k);
       mover.resize(b);
       edges.fill(b, true, mover.edge);
-      mover.move(b, options, work.y);
+      mover.move(b, options, turn, nodes_y(state, work));
       edges.fill(b, false, mover.edge);
-      mover.move(b, options, work.x);
+      mover.move(b, options, turn, nodes_x(state, work));
     }
   });
 }

@@ -32,7 +32,7 @@ void first_sweep_from_zero(Level& l, const Run& r) {
 }
 template <typename Level>
 void leave_residual(Level& l, const Run& r) {
-  residual_row(stencil_at(l.cx, l.cy, r.x0, r.y), l.z.row(r.y) + r.x0, l.rhs.row(r.y) + r.x0,
+  residual_row(stencil_at(l.cx, l.cy, r.x0, r.y), l.z_row(r.y) + r.x0, l.rhs.row(r.y) + r.x0,
                nodes_at(l.x, r.x0, r.y), r.size(), l.other.row(r.y) + r.x0);
 }
 template <typename Level>
@@ -48,7 +48,7 @@ void add_correction(Level& fine, const Level& coarse, const Run& r) {
 
 template <typename Level>
 void invert_diagonal(Level& l, const Run& r) {
-  inverse_diagonal_row(stencil_at(l.cx, l.cy, r.x0, r.y), l.z.row(r.y) + r.x0, r.size(),
+  inverse_diagonal_row(stencil_at(l.cx, l.cy, r.x0, r.y), l.z_row(r.y) + r.x0, r.size(),
                        l.inverse.row(r.y) + r.x0);
 }
 // A run of a coarse level from the fine one: the system, and the residual as its right side.
@@ -56,7 +56,8 @@ template <typename Level>
 void coarsen(const Level& fine, Level& coarse, const Run& r) {
   const int x = 2 * r.x0;
   const int y = 2 * r.y;
-  restrict_row(fine.z.row(y) + x, fine.z.row(y + 1) + x, r.size(), coarse.z.row(r.y) + r.x0);
+  if (coarse.ones == nullptr)
+    restrict_row(fine.z.row(y) + x, fine.z.row(y + 1) + x, r.size(), coarse.z.row(r.y) + r.x0);
   coarsen_cx_row(fine.cx.row(y) + x, fine.cx.row(y + 1) + x, r.size(), coarse.cx.row(r.y) + r.x0);
   coarsen_cy_row(fine.cy.row(y + 1) + x, r.size(), coarse.cy.row(r.y) + r.x0);
 }
@@ -68,7 +69,7 @@ void restrict_residual(const Level& fine, Level& coarse, const Run& r) {
 
 }  // namespace
 
-Multigrid::Multigrid(int width, int height) {
+Multigrid::Multigrid(int width, int height) : ones_(static_cast<std::size_t>(width), 1.0f) {
   for (int w = width, h = height;; w = (w + 1) / 2, h = (h + 1) / 2) {
     Level& level = levels_.emplace_back();
     for (WorkPlane* p :
@@ -134,13 +135,15 @@ void Multigrid::coarsen_residual(const Run& r) {
 
 // Fills the system, smooths the first guess, leaves the residual in `other` and, if asked, system
 // and residual on the next grid.
-void Multigrid::start(const std::vector<RowWork>& fill, bool and_restrict, const Threads& threads) {
+void Multigrid::start(const Job& job, bool and_restrict, const Threads& threads) {
   Level& fine = level(0);
+  const std::vector<RowWork>& fill = job.fill;
+  const WorkPlane& guess = job.guess != nullptr ? *job.guess : fine.x;
   const int filled = std::max(1, static_cast<int>(fill.size()));
   for_bands(threads, fine.index, filled + (and_restrict ? 5 : 3), [&](int stage, const Run& r) {
     if (stage < static_cast<int>(fill.size())) fill[static_cast<std::size_t>(stage)](r);
     if (stage == filled) invert_diagonal(fine, r);
-    if (stage == filled + 1) sweep(fine, r, fine.x, fine.other, kWeightA);
+    if (stage == filled + 1) sweep(fine, r, guess, fine.other, kWeightA);
     if (stage == filled + 2) sweep(fine, r, fine.other, fine.x, kWeightB);
     if (stage == filled + 3) leave_residual(fine, r);
     if (stage != filled + 4) return;
@@ -205,9 +208,10 @@ void Multigrid::coarse_cycle(int l, int levels, const Threads& threads) {
   ascend(l, false, {}, threads);
 }
 
-void Multigrid::solve(int cycles, int levels, const Threads& threads,
-                      const std::vector<RowWork>& fill, const RowWork& finish) {
-  start(fill, levels > 1, threads);
+void Multigrid::solve(int cycles, int levels, const Threads& threads, const Job& job) {
+  const RowWork& finish = job.finish;
+  for (Level& l : levels_) l.ones = job.unit_zero_order ? ones_.data() : nullptr;
+  start(job, levels > 1, threads);
   if (levels == 1) {  // weak coupling: sweeps alone
     for (int k = 1; k < cycles; ++k) go_on(k + 1 == cycles ? finish : RowWork{}, threads);
     if (cycles == 1 && finish) for_runs(threads, level(0).index.runs(), finish);

@@ -24,7 +24,7 @@ class Multigrid {
   WorkPlane& cy() { return levels_[0].cy; }
   WorkPlane& zero_order() { return levels_[0].z; }
   WorkPlane& rhs() { return levels_[0].rhs; }
-  WorkPlane& solution() { return levels_[0].x; }  // first guess, then the result
+  WorkPlane& solution() { return levels_[0].x; }
 
   /// The nodes to solve for, by rows.
   void set_runs(const std::vector<Run>& runs);
@@ -34,22 +34,31 @@ class Multigrid {
   int levels_for(float coupling) const;
   /// Work on a run of a row that goes along with the solve, while the row is in the cache.
   using RowWork = std::function<void(const Run& run)>;
+  /// What is known of a system, and what is done along with its solution.
+  struct Job {
+    const WorkPlane* guess = nullptr;  // the first guess; none: what solution() holds
+    bool unit_zero_order = false;      // z is 1 everywhere, and zero_order() is not read
+    /// Fills the system, one after the other: when one is done on a row, those before it are done
+    /// on that row and on both its neighbours.
+    std::vector<RowWork> fill = {};
+    /// Done on a row when the result is there on it and on both its neighbours.
+    RowWork finish = {};
+  };
   /// `cycles` V-cycles over `levels` >= 1 grids: two Jacobi sweeps before and after.
-  /// `fill`: work that fills the system and the first guess, one after the other: when one is done
-  /// on a row, those before it are done on that row and on both its neighbours. `finish`: done on a
-  /// row when the result is there on it and on both its neighbours.
-  void solve(int cycles, int levels, const Threads& threads, const std::vector<RowWork>& fill = {},
-             const RowWork& finish = {});
+  void solve(int cycles, int levels, const Threads& threads, const Job& job);
 
  private:
   struct Level {
     WorkPlane cx, cy, z, inverse, rhs, x, other;
     RunIndex index;
+    const float* ones = nullptr;  // in place of every row of z, or none
+
+    const float* z_row(int y) const { return ones != nullptr ? ones : z.row(y); }
   };
   Level& level(int l) { return levels_[static_cast<std::size_t>(l)]; }
   void prepare(int levels, const Threads& threads);
   void coarse_cycle(int l, int levels, const Threads& threads);
-  void start(const std::vector<RowWork>& fill, bool and_restrict, const Threads& threads);
+  void start(const Job& job, bool and_restrict, const Threads& threads);
   void go_on(const RowWork& finish, const Threads& threads);
   void coarsen_system(const Run& fine_run);
   void coarsen_residual(const Run& fine_run);
@@ -59,6 +68,7 @@ class Multigrid {
   void ascend(int l, bool and_descend, const RowWork& finish, const Threads& threads);
 
   std::vector<Level> levels_;
+  std::vector<float> ones_;
 };
 
 }  // namespace pentimento::conservative

@@ -16,8 +16,8 @@ int tile_cells(float tile_m, float cell_m, int side) {
   return cells;
 }
 
-// A velocity without its sign, as bits: positive floats are ordered as their bits are, and a maximum
-// of integers may be taken in any order, many at a time.
+// A velocity without its sign, as bits: positive floats are ordered as their bits are, and a
+// maximum of integers may be taken in any order, many at a time.
 std::int32_t size_bits(float u) {
   return std::bit_cast<std::int32_t>(u) & 0x7fffffff;
 }

@@ -11,22 +11,21 @@
 namespace pentimento::conservative {
 
 enum class Axis { kX, kY };
+/// The axis that moves first in a step, or the other.
+enum class Turn { kFirst, kSecond };
 
 /// Fluid around each node from the depths, before any transport: the mean of the two cells.
 void fill_node_masses(const CanvasState& state, const Tiles& tiles, const Threads& threads,
                       Workspace& work);
 
-/// Copies the velocities of the state into the nodes' planes.
-void fill_node_velocities(const CanvasState& state, const Tiles& tiles, const Threads& threads,
-                          Workspace& work);
-
-/// Moves mass and velocity of both components' nodes along `axis`.
-void move_momentum(const CanvasState& state, const StepInput& in, Axis axis, const Tiles& tiles,
-                   Workspace& work);
+/// Moves mass and velocity of both components' nodes along `axis`: the first time those of
+/// fill_node_masses and of the state, then what the first time left.
+void move_momentum(const CanvasState& state, const StepInput& in, Axis axis, Turn turn,
+                   const Tiles& tiles, Workspace& work);
 
 /// The plain way to do it, along either axis: block after block, each in flat arrays. The same
-/// bits; along y, move_momentum goes row by row in place (remap_stream.h).
-void move_momentum_in_blocks(const CanvasState& state, const StepInput& in, Axis axis,
+/// bits; along y, move_momentum goes row by row (remap_stream.h).
+void move_momentum_in_blocks(const CanvasState& state, const StepInput& in, Axis axis, Turn turn,
                              const Tiles& tiles, Workspace& work);
 
 /// Moves depth with the velocity plus half the brush's push, and every channel of layer k of n

@@ -16,7 +16,6 @@ void viscous_row(const ViscousNodes& nodes, float per_dx2, float per_dy2, int n,
   float* __restrict cy = out.cy;
   float* __restrict z = out.zero_order;
   float* __restrict rhs = out.rhs;
-  float* __restrict solution = out.solution;
   const float* __restrict velocity = nodes.velocity_m_s;
   PENTIMENTO_INDEPENDENT
   for (int i = 0; i < n; ++i) {
@@ -37,7 +36,6 @@ void viscous_row(const ViscousNodes& nodes, float per_dx2, float per_dy2, int n,
     cy[i] = joint_y * ((wet & (down > 0)) ? 1.0f : 0.0f);
     z[i] = 1 + (held_x + held_y);
     rhs[i] = u;
-    solution[i] = u;
   }
 }
 

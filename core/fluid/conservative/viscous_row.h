@@ -13,13 +13,12 @@ struct ViscousNodes {
   const float* velocity_m_s;  // u~
 };
 
-/// Rows of multigrid_rows.h's system; `solution` gets the first guess, u~.
+/// Rows of multigrid_rows.h's system; the right side, u~, is also the first guess.
 struct SystemRow {
   float* cx;
   float* cy;
   float* zero_order;
   float* rhs;
-  float* solution;
 };
 
 /// (1 - dt div nu grad) u = u~ on wet nodes.

@@ -11,8 +11,8 @@ namespace pentimento::conservative {
 
 /// What the nodes of one velocity component know.
 struct NodePlanes {
-  WorkPlane mass_m;          // paint around the node, moved with its momentum
-  WorkPlane first_mass_m;    // the same before anything moved
+  WorkPlane first_mass_m;    // paint around the node before anything moved
+  WorkPlane mass_m;          // the same, moved with its momentum
   WorkPlane velocity_m_s;    // u~, then u
   WorkPlane depth_m;         // of the face; 0 = dry or closed; negative = beyond the canvas
   WorkPlane mobility_frac;   // 1 - Phi, 0 where the film is too thin to feel gravity

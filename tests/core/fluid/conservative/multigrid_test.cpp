@@ -53,7 +53,7 @@ TEST(Multigrid, FiveCyclesLeaveLittleOfTheResidual) {
   for (const float strength : {1.0f, 20.0f, 250.0f}) {
     Rough rough(150, 110, strength);
     const double before = rough.residual();
-    rough.solver.solve(5, rough.solver.levels_for(2 * strength), Threads());
+    rough.solver.solve(5, rough.solver.levels_for(2 * strength), Threads(), {});
     EXPECT_LT(rough.residual(), 3e-3 * before) << strength;
   }
 }
@@ -65,7 +65,7 @@ TEST(Multigrid, SolvesATinySystemByHand) {
   solver.zero_order().row(0)[0] = solver.zero_order().row(0)[1] = 1;
   solver.cx().row(0)[0] = 1;
   solver.rhs().row(0)[0] = 3;
-  solver.solve(12, 1, Threads());
+  solver.solve(12, 1, Threads(), {});
   EXPECT_NEAR(solver.solution().row(0)[0], 2.0f, 1e-5f);
   EXPECT_NEAR(solver.solution().row(0)[1], 1.0f, 1e-5f);
 }
