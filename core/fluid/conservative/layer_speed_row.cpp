@@ -5,21 +5,28 @@
 namespace pentimento::conservative {
 
 PENTIMENTO_KERNEL
-void layer_speed_row(const LayerSpeed& p, const float* __restrict layers_a,
-                     const float* __restrict layers_b, const float* __restrict flow,
+void layer_middle_row(const float* __restrict layer, const float* __restrict total, int n,
+                      float* __restrict below, float* __restrict middle) {
+  PENTIMENTO_INDEPENDENT
+  for (int i = 0; i < n; ++i) {
+    const bool some = layer[i] > 0;
+    const float under = below[i];
+    const float at = (under + 0.5f * layer[i]) / (some ? total[i] : 1.0f);
+    middle[i] = some ? at : 0.0f;
+    below[i] = under + layer[i];
+  }
+}
+
+PENTIMENTO_KERNEL
+void layer_speed_row(float speed, const float* __restrict middle_a,
+                     const float* __restrict middle_b, const float* __restrict flow,
                      const float* __restrict push, int edges, float* __restrict out) {
-  const auto below = static_cast<float>(p.layer);  // n > k: the cell has layer k
-  const float middle = below + 0.5f;
-  const float speed = p.speed;
   PENTIMENTO_INDEPENDENT
   for (int e = 0; e < edges; ++e) {
-    const float a = layers_a[e];
-    const float b = layers_b[e];
-    const bool has_a = a > below;
-    const bool has_b = b > below;
-    const float of_a = has_a ? middle / (has_a ? a : 1.0f) : 0.0f;
-    const float of_b = has_b ? middle / (has_b ? b : 1.0f) : 0.0f;
-    const float factor = has_a && has_b ? 0.5f * (of_a + of_b) : of_a + of_b;
+    const float a = middle_a[e];
+    const float b = middle_b[e];
+    const float both = (a > 0 ? 1.0f : 0.0f) * (b > 0 ? 1.0f : 0.0f);
+    const float factor = (a + b) * (1 - 0.5f * both);
     out[e] = (speed * flow[e] + push[e]) * factor;
   }
 }

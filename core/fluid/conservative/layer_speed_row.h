@@ -3,18 +3,23 @@
 
 namespace pentimento::conservative {
 
-struct LayerSpeed {
-  int layer = 0;    // k, 0 = bottom
-  float speed = 1;  // Model::layer_speed
-};
-
-/// Displacement in cells of the edges between cells a and b.
-///   D = (speed flow + push) f;  f: mean over those of a, b that have layer k of (k + 1/2)/n
+/// Where in the film the middle of a layer lies, 0 the bed, 1 the surface; 0 where it has no paint.
+///   z_k = (sum of a_j below k + a_k/2) / sum of a;  a_k: pigment of layer k that may move
 /// Scheme: pointwise, exact. Stable: nothing evolves.
 /// Source: R18 (Stuyck et al. 2016, section 5.4).
-/// Departs from it: n differs from cell to cell, so an edge takes the mean of its two cells.
-/// `layers_a`, `layers_b`: occupied layers n of the cells on either side; 0 = bare.
-void layer_speed_row(const LayerSpeed& p, const float* layers_a, const float* layers_b,
-                     const float* flow, const float* push, int edges, float* out);
+/// Departs from it: a layer is as thick as its share of the pigment, not 1/n of the film. With
+///   velocities 2 z_k u the pigment of all layers together then moves with u, as its oil does;
+///   layers of 1/n let the upper ones run ahead of the oil, which dams every front.
+/// `below`: a of all lower layers; gets the layer's own added.
+void layer_middle_row(const float* layer, const float* total, int n, float* below, float* middle);
+
+/// Displacement in cells of the edges between cells a and b.
+///   D = (speed flow + push) f;  f: mean of z_k over those of a, b that have the layer
+/// Scheme: pointwise, exact. Stable: nothing evolves.
+/// Source: R18.
+/// Departs from it: z differs from cell to cell, so an edge takes the mean of its two cells.
+/// `speed`: Model::layer_speed.
+void layer_speed_row(float speed, const float* middle_a, const float* middle_b, const float* flow,
+                     const float* push, int edges, float* out);
 
 }  // namespace pentimento::conservative

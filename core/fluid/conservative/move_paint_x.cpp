@@ -25,13 +25,15 @@ class PaintRow {
         in_(in),
         depth_options_{in.model.superbee, rounder_for(quantum_for(in.model.max_medium_m))},
         amount_options_{in.model.superbee, rounder_for(quantum_for(in.model.max_pigment))},
-        painted_(state.pigment.size()) {}
+        painted_(state.pigment.size()),
+        middle_(at(state.layers)),
+        layer_(at(state.layers)) {}
 
   void move(const Run& r) {
     resize(r);
     if (!fill_edges() && in_.follower == nullptr) return;
     limit_depth();
-    count_layers();
+    find_layers();
     move_depth();
     for (int layer = 0; layer < state_.layers; ++layer) move_layer(layer);
   }
@@ -40,10 +42,13 @@ class PaintRow {
   void resize(const Run& r) {
     r_ = r;
     n_ = r.size();
-    if (n_ + 2 * kSide > flow_.width())
+    if (n_ + 2 * kSide > flow_.width()) {
       for (Field<float>* f : {&flow_, &push_, &edge_, &tau_lo_, &tau_hi_, &stay_, &value_, &out_lo_,
-                              &out_hi_, &occupied_, &share_, &held_})
+                              &out_hi_, &total_, &below_, &share_, &held_})
         *f = Field<float>(n_ + 2 * kSide, 1);
+      for (std::vector<Field<float>>* layers : {&middle_, &layer_})
+        for (Field<float>& f : *layers) f = Field<float>(n_ + 2 * kSide, 1);
+    }
     cells(edge_)[0] = cells(edge_)[n_] = 0;
     cells(out_hi_)[-1] = cells(out_lo_)[n_] = 0;  // nothing comes through the walls
   }
@@ -86,20 +91,28 @@ class PaintRow {
     return value;
   }
 
-  // Which layers the cells have, and which share of the bottom one is free to move.
-  void count_layers() {
-    float* occupied = cells(occupied_);
-    float* share = cells(share_);
-    std::fill_n(occupied, n_, 0.0f);
-    std::fill_n(share, n_, 0.0f);
+  // Which layers the cells have and where they lie, and the share of the bottom one that may move.
+  void find_layers() {
+    std::fill_n(cells(share_), n_, 0.0f);
+    std::fill_n(cells(total_), n_, 0.0f);
+    std::fill_n(cells(below_), n_, 0.0f);
+    for (int k = 0; k < state_.layers; ++k) {
+      float* layer = cells(layer_[at(k)]);
+      std::fill_n(layer, n_, 0.0f);
+      for (int c = 0; c < state_.channels; ++c)
+        painted_[at(k * state_.channels + c)] =
+            weigh_row(row_of(state_.channel(k, c)), in_.amount[at(c)], n_, layer);
+      if (k == 0) free_row(in_.model.pigment_residue, n_, layer, cells(share_));
+      if (painted(k)) add_row(layer, n_, cells(total_));
+    }
     for (int k = 0; k < state_.layers; ++k)
-      for (int c = 0; c < state_.channels; ++c) {
-        const float* amount = row_of(state_.channel(k, c));
-        const bool some = count_layer_row(amount, static_cast<float>(k + 1), n_, occupied);
-        painted_[at(k * state_.channels + c)] = some;
-        if (some && k == 0) weigh_row(amount, in_.amount[at(c)], n_, share);
-      }
-    free_share_row(in_.model.pigment_residue, n_, share);
+      if (painted(k) || in_.follower != nullptr)
+        layer_middle_row(cells(layer_[at(k)]), cells(total_), n_, cells(below_),
+                         cells(middle_[at(k)]));
+  }
+  bool painted(int layer) const {
+    const auto begin = painted_.begin() + layer * state_.channels;
+    return std::find(begin, begin + state_.channels, true) != begin + state_.channels;
   }
 
   // Plans where the cells go; far_ are those that go far.
@@ -120,14 +133,12 @@ class PaintRow {
   }
 
   void move_layer(int k) {
-    const auto begin = painted_.begin() + k * state_.channels;
-    const bool painted = std::find(begin, begin + state_.channels, true) != begin + state_.channels;
-    if (!painted && in_.follower == nullptr) return;
-    const float* occupied = cells(occupied_);
-    layer_speed_row({k, in_.model.layer_speed}, occupied, occupied + 1, cells(flow_) + 1,
-                    cells(push_) + 1, n_ - 1, cells(edge_) + 1);
+    if (!painted(k) && in_.follower == nullptr) return;
+    const float* middle = cells(middle_[at(k)]);
+    layer_speed_row(in_.model.layer_speed, middle, middle + 1, cells(flow_) + 1, cells(push_) + 1,
+                    n_ - 1, cells(edge_) + 1);
     record(1 + k);
-    if (!painted) return;
+    if (!painted(k)) return;
     plan();
     for (int c = 0; c < state_.channels; ++c) {
       if (!painted_[at(k * state_.channels + c)]) continue;
@@ -175,7 +186,8 @@ class PaintRow {
   int n_ = 0;
   Field<float> flow_, push_, edge_;  // displacement of edges, in cells
   Field<float> tau_lo_, tau_hi_, stay_, value_, out_lo_, out_hi_;
-  Field<float> occupied_, share_, held_;
+  Field<float> total_, below_, share_, held_;
+  std::vector<Field<float>> middle_, layer_;  // of each layer: where it lies, and how much of it
   std::vector<int> far_;
 };
 

@@ -126,6 +126,8 @@ class PaintStream {
   struct Layer {
     EdgeStream edges;
     RowRing edge;
+    RowRing middle;       // where it lies in the film
+    Field<float> sum;     // of its pigment in the row that is prepared
     int edges_done = -1;  // the last row of edges in `edge`
     RowFlags painted;
     std::vector<ChannelStream> channels;
@@ -136,8 +138,9 @@ class PaintStream {
     const int n = b.width();
     if (n != n_) {
       n_ = n;
-      if (n > zeros_.width()) zeros_ = Field<float>(n, 1);
-      for (RowRing* ring : {&occupied_, &share_}) ring->resize(n);
+      if (n > zeros_.width())
+        for (Field<float>* row : {&zeros_, &total_, &below_}) *row = Field<float>(n, 1);
+      share_.resize(n);
       depth_edges_.resize(n);
       depth_.resize(n);
       for (Layer& layer : layers_) resize(layer, &layer == layers_.data());
@@ -151,6 +154,8 @@ class PaintStream {
   void resize(Layer& layer, bool bottom) {
     layer.edges.resize(n_);
     layer.edge.resize(n_);
+    layer.middle.resize(n_);
+    if (n_ > layer.sum.width()) layer.sum = Field<float>(n_, 1);
     layer.channels.resize(at(state_.channels));
     for (ChannelStream& c : layer.channels) {
       c.quantity.resize(n_);
@@ -164,26 +169,34 @@ class PaintStream {
   bool within(int r) const { return r >= 0 && r < b_.height(); }
   int clamped(int r) const { return std::clamp(r, 0, b_.height() - 1); }
 
-  // Which layers row r has, and what of the bottom one is free to move.
+  // Which layers row r has and where they lie, and what of the bottom one is free to move.
   void prepare(int r) {
-    float* occupied = occupied_.row(r);
+    float* total = total_.row(0);
+    float* below = below_.row(0);
     float* share = share_.row(r);
-    std::fill_n(occupied, n_, 0.0f);
-    std::fill_n(share, n_, 0.0f);
+    for (float* row : {total, below, share}) std::fill_n(row, n_, 0.0f);
     for (int k = 0; k < state_.layers; ++k) {
       Layer& layer = layers_[at(k)];
+      float* sum = layer.sum.row(0);
+      std::fill_n(sum, n_, 0.0f);
       bool painted = false;
       for (int c = 0; c < state_.channels; ++c) {
         const float* amount = row_of(state_.channel(k, c), r);
-        const bool some = count_layer_row(amount, static_cast<float>(k + 1), n_, occupied);
+        const bool some = weigh_row(amount, in_.amount[at(c)], n_, sum);
         layer.channels[at(c)].painted.at(r) = some;
         painted |= some;
-        if (some && k == 0) weigh_row(amount, in_.amount[at(c)], n_, share);
       }
       layer.painted.at(r) = painted;
+      if (k == 0 && painted) free_row(in_.model.pigment_residue, n_, sum, share);
+      if (painted) add_row(sum, n_, total);
+    }
+    for (Layer& layer : layers_) {
+      if (layer.painted.at(r))
+        layer_middle_row(layer.sum.row(0), total, n_, below, layer.middle.row(r));
+      else
+        std::fill_n(layer.middle.row(r), n_, 0.0f);
     }
     if (!layers_.front().painted.at(r)) return;
-    free_share_row(in_.model.pigment_residue, n_, share);
     for (int c = 0; c < state_.channels; ++c) {
       ChannelStream& channel = layers_.front().channels[at(c)];
       if (!channel.painted.at(r)) continue;
@@ -230,7 +243,7 @@ class PaintStream {
       std::fill_n(edge, n_, 0.0f);
       return;
     }
-    layer_speed_row({k, in_.model.layer_speed}, occupied_.row(r - 1), occupied_.row(r),
+    layer_speed_row(in_.model.layer_speed, layer.middle.row(r - 1), layer.middle.row(r),
                     edges_.flow(r), edges_.push(r), n_, edge);
     record(1 + k, r, edge);
   }
@@ -287,8 +300,8 @@ class PaintStream {
   Block b_;
   int n_ = 0;
   BlockEdges edges_;
-  Field<float> zeros_;
-  RowRing occupied_, share_;
+  Field<float> zeros_, total_, below_;
+  RowRing share_;
   EdgeStream depth_edges_;
   QuantityStream depth_;
   std::vector<Layer> layers_;

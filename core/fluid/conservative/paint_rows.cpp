@@ -36,32 +36,32 @@ void flow_of_edge_row(const float* __restrict edge, const float* __restrict push
 }
 
 PENTIMENTO_KERNEL
-bool count_layer_row(const float* __restrict amount, float count, int n,
-                     float* __restrict occupied) {
+bool weigh_row(const float* __restrict amount, float weight, int n, float* __restrict sum) {
   std::int32_t any = 0;
   PENTIMENTO_INDEPENDENT
   for (int i = 0; i < n; ++i) {
     any |= std::bit_cast<std::int32_t>(amount[i]);
-    occupied[i] = amount[i] > 0 ? count : occupied[i];
+    sum[i] += weight * amount[i];
   }
   return any != 0;
 }
 
 PENTIMENTO_KERNEL
-void weigh_row(const float* __restrict amount, float weight, int n, float* __restrict sum) {
+void free_row(float residue, int n, float* __restrict sum_to_free, float* __restrict share) {
   PENTIMENTO_INDEPENDENT
-  for (int i = 0; i < n; ++i) sum[i] += weight * amount[i];
+  for (int i = 0; i < n; ++i) {
+    const float s = sum_to_free[i];
+    const bool more = s > residue;
+    const float free = more ? s - residue : 0.0f;
+    share[i] = free / (more ? s : 1.0f);
+    sum_to_free[i] = free;
+  }
 }
 
 PENTIMENTO_KERNEL
-void free_share_row(float residue, int n, float* __restrict sum_to_share) {
+void add_row(const float* __restrict layer, int n, float* __restrict total) {
   PENTIMENTO_INDEPENDENT
-  for (int i = 0; i < n; ++i) {
-    const float s = sum_to_share[i];
-    const bool more = s > residue;
-    const float share = (s - residue) / (more ? s : 1.0f);
-    sum_to_share[i] = more ? share : 0.0f;
-  }
+  for (int i = 0; i < n; ++i) total[i] += layer[i];
 }
 
 PENTIMENTO_KERNEL

@@ -13,12 +13,12 @@ void push_row(const float* here_m, const float* next_m, float per_m, int n, floa
 void depth_edge_row(const float* flow, const float* push, int n, float* out);
 /// flow = edge - push/2.
 void flow_of_edge_row(const float* edge, const float* push, int n, float* flow);
-/// occupied = count where there is any of `amount`; returns whether there is any at all.
-bool count_layer_row(const float* amount, float count, int n, float* occupied);
-/// sum += weight amount.
-void weigh_row(const float* amount, float weight, int n, float* sum);
-/// sum of pigment -> the share of it that exceeds `residue` (R19).
-void free_share_row(float residue, int n, float* sum_to_share);
+/// sum += weight amount; returns whether there is any of `amount` at all.
+bool weigh_row(const float* amount, float weight, int n, float* sum);
+/// Sum of pigment -> what of it exceeds `residue`, and which share of it that is (R19).
+void free_row(float residue, int n, float* sum_to_free, float* share);
+/// total += layer.
+void add_row(const float* layer, int n, float* total);
 /// held = value - free; free = share value in whole quanta. `free` may be `value` itself.
 void hold_row(const float* value, const float* share, float rounder, int n, float* held,
               float* free);

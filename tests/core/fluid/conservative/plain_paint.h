@@ -26,10 +26,12 @@ class PlainPaintMover {
     plan_.resize(b.cells(), b.step());
     scratch_.resize(b.cells(), b.step());
     for (std::vector<float>* v : {&flow_, &push_}) v->assign(plan_.edge.size(), 0);
-    for (std::vector<float>* v : {&occupied_, &share_, &held_}) v->assign(n, 0);
+    for (std::vector<float>* v : {&total_, &share_, &held_}) v->assign(n, 0);
+    layer_.assign(at(state_.layers), std::vector<float>(n, 0));
+    middle_ = layer_;
     present_.resize(state_.pigment.size());
     fill_displacements(b);
-    count_layers(b);
+    find_layers(b);
     move_depth(b);
     for (int layer = 0; layer < state_.layers; ++layer) move_layer(b, layer);
   }
@@ -53,25 +55,31 @@ class PlainPaintMover {
     });
   }
 
-  // occupied_ = highest layer with pigment, counted from 1; present_ = the channels that are in the
-  // block at all; share_ = the share of layer 0 that moves.
-  void count_layers(const Block& b) {
+  // present_ = the channels that are in the block at all; share_ = the share of layer 0 that moves;
+  // middle_ = where in the film each layer lies, by the pigment that moves.
+  void find_layers(const Block& b) {
     for (int layer = 0; layer < state_.layers; ++layer) {
+      std::vector<float>& sum = layer_[at(layer)];
       for (int c = 0; c < state_.channels; ++c) {
         load_block(b, state_.channel(layer, c), held_.data());
-        int painted = 0;
-        for (const float amount : held_) painted += amount > 0 ? 1 : 0;
-        present_[at(layer * state_.channels + c)] = painted > 0;
-        if (painted == 0) continue;
-        const auto count = static_cast<float>(layer + 1);
-        for (std::size_t i = 0; i < held_.size(); ++i)
-          occupied_[i] = held_[i] > 0 ? count : occupied_[i];
-        if (layer == 0)
-          for (std::size_t i = 0; i < held_.size(); ++i) share_[i] += in_.amount[at(c)] * held_[i];
+        present_[at(layer * state_.channels + c)] =
+            std::any_of(held_.begin(), held_.end(), [](float a) { return a > 0; });
+        for (std::size_t i = 0; i < held_.size(); ++i) sum[i] += in_.amount[at(c)] * held_[i];
+      }
+      for (std::size_t i = 0; i < sum.size(); ++i) {
+        const float free = std::max(sum[i] - in_.model.pigment_residue, 0.0f);
+        if (layer == 0) share_[i] = free / (free > 0 ? sum[i] : 1.0f);
+        if (layer == 0) sum[i] = free;
+        total_[i] += sum[i];
       }
     }
-    const float residue = in_.model.pigment_residue;
-    for (float& s : share_) s = s > residue ? (s - residue) / s : 0.0f;
+    for (std::size_t i = 0; i < total_.size(); ++i) {
+      float below = 0;
+      for (std::size_t k = 0; k < layer_.size(); ++k) {
+        if (layer_[k][i] > 0) middle_[k][i] = (below + 0.5f * layer_[k][i]) / total_[i];
+        below += layer_[k][i];
+      }
+    }
   }
 
   void move_depth(const Block& b) {
@@ -94,9 +102,9 @@ class PlainPaintMover {
   void move_layer(const Block& b, int layer) {
     const std::size_t s = static_cast<std::size_t>(plan_.step);
     const std::size_t inner = plan_.edge.size() - 2 * s;
-    layer_speed_row({layer, in_.model.layer_speed}, occupied_.data(), occupied_.data() + s,
-                    flow_.data() + s, push_.data() + s, static_cast<int>(inner),
-                    plan_.edge.data() + s);
+    const float* middle = middle_[at(layer)].data();
+    layer_speed_row(in_.model.layer_speed, middle, middle + s, flow_.data() + s, push_.data() + s,
+                    static_cast<int>(inner), plan_.edge.data() + s);
     record(b, 1 + layer);
     plan_remap(plan_);
     float* value = scratch_.cells(scratch_.value, plan_.step);
@@ -140,7 +148,8 @@ class PlainPaintMover {
   RemapScratch scratch_;
   std::vector<float> flow_, push_;  // displacement of edges, in cells
   std::vector<bool> present_;
-  std::vector<float> occupied_, share_, held_;  // of cells
+  std::vector<float> total_, share_, held_;  // of cells
+  std::vector<std::vector<float>> layer_, middle_;
 };
 
 inline void move_paint_in_blocks(CanvasState& state, const StepInput& in, Axis axis,
