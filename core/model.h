@@ -36,9 +36,9 @@ struct Model {
   float crowding_m_s2 = 200.0f;     // pressure of paint 20 % deeper than max_medium, per slope
   float sleep_tile_m = 1.0f / 32;   // side of a tile that sleeps or wakes as a whole
   float wake_gravity_m_s2 = 0.05f;  // a change of gravity that wakes sleeping paint
-  float most_cells_moved = 1.0f;    // faster paint makes a step of several parts...
+  float most_cells_moved = 1.2f;    // faster paint makes a step of several parts...
   int most_parts_of_step = 8;       // ...but not of more than these
-  int viscosity_cycles = 3;         // V-cycles per step and velocity component
+  int viscosity_cycles = 2;         // V-cycles per step and velocity component
   int height_cycles = 3;            // V-cycles per step
 
   // Brush and transfer (R21-R28).
