@@ -28,9 +28,9 @@ void move_momentum(const CanvasState& state, const StepInput& in, Axis axis, Tur
 void move_momentum_in_blocks(const CanvasState& state, const StepInput& in, Axis axis, Turn turn,
                              const Tiles& tiles, Workspace& work);
 
-/// Moves depth with the velocity plus half the brush's push, and every channel of layer k of n
-/// with (k + 1/2)/n of Model::layer_speed velocities plus the push (R18). Of layer 0, only what
-/// exceeds the residue moves (R19).
+/// Moves depth with the velocity plus half the brush's push, and every channel of a layer with
+/// Model::layer_speed velocities plus the push, both times the height of the layer's middle in the
+/// film (R18, layer_speed_row.h). Of layer 0, only what exceeds the residue moves (R19).
 void move_paint_along_x(CanvasState& state, const StepInput& in, const Tiles& tiles);
 void move_paint_along_y(CanvasState& state, const StepInput& in, const Tiles& tiles);
 inline void move_paint(CanvasState& state, const StepInput& in, Axis axis, const Tiles& tiles) {
