@@ -19,6 +19,8 @@ class TipMap {
  public:
   explicit TipMap(const Field<float>& map);
   int size() const { return size_; }
+  /// Row j - 1 of the map with its rim, size() + 2 values; j in [0, size() + 1].
+  const float* padded_row(int j) const { return padded_.row(j); }
   /// Bilinear value at (u, v) in tip diameters from the centre, `frac` of the way from `a` to `b`,
   /// which have the same size; 0 outside the tip.
   static float between(const TipMap& a, const TipMap& b, float frac, float u, float v) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/detail/open_cells.h"
+#include "core/fluid/conservative/kernel.h"
 
 namespace pentimento {
 
@@ -13,38 +14,6 @@ constexpr std::int8_t kOpens = -1;  // a target that is known once the guide has
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
-
-/// The tip at several places along the way that its stamp stands for: fine cells would show each
-/// stamp of a stroke as a print of its own.
-class SweptTip {
- public:
-  SweptTip(const StampPlan& plan, float cell_m) : level_(stamp_tip_level(plan, cell_m)) {
-    const float travel_m = plan.stamp.travel_m;
-    const float cells = std::min(travel_m / cell_m, static_cast<float>(kMostPrints));
-    prints_ = std::max(1, static_cast<int>(cells));
-    const Vec2f way = plan.stamp.direction;
-    const float step_m = travel_m / static_cast<float>(prints_);
-    du_ = step_m * (plan.pose.u_x * way.x + plan.pose.u_y * way.y);
-    dv_ = step_m * (plan.pose.v_x * way.x + plan.pose.v_y * way.y);
-  }
-  /// Mean of the tip's value at (u, v) on its way, the stamp's own place in the middle.
-  float value(float u, float v) const {
-    if (prints_ == 1) return stamp_value(level_, u, v);
-    const float first = -0.5f * static_cast<float>(prints_ - 1);
-    float sum = 0;
-    for (int i = 0; i < prints_; ++i) {
-      const float at = first + static_cast<float>(i);
-      sum += stamp_value(level_, u + at * du_, v + at * dv_);
-    }
-    return sum / static_cast<float>(prints_);
-  }
-
- private:
-  static constexpr int kMostPrints = 8;
-  const TipLevel level_;
-  int prints_ = 1;
-  float du_ = 0, dv_ = 0;
-};
 
 /// The cells of the tip, and all of the blocks that the guide's stamp may touch.
 CellBox cells_of(const StampPlan& plan, const CanvasGeometry& fine, int factor) {
@@ -68,6 +37,39 @@ void find_totals(const CanvasState& guide, std::span<const float> amount, int x,
     total[at(layer)] = sum;
   }
 }
+/// What measure_row() finds.
+struct MeasuredRow {
+  float *touch, *grasp, *share;
+};
+
+PENTIMENTO_KERNEL
+void measure_row(const StampPlan& given, const TipRow& tip, int n, const float* value,
+                 const float* base, const float* depth, const MeasuredRow& out) {
+  const StampPlan plan = given;  // nobody else's: what is stored below does not change it
+  const float v0 = tip.v0, dv = tip.dv;
+  float* __restrict touch = out.touch;
+  float* __restrict grasp = out.grasp;
+  float* __restrict share = out.share;
+  PENTIMENTO_INDEPENDENT
+  for (int i = 0; i < n; ++i) {
+    touch[i] = stamp_touch(plan, value[i], v0 + dv * static_cast<float>(i));
+    share[i] = plan.share_scale * stamp_levelled(plan, value[i], base[i] + depth[i]);
+  }
+  if (!(plan.scrape_frac > 0)) {
+    std::copy_n(touch, n, grasp);
+    return;
+  }
+  for (int i = 0; i < n; ++i)
+    grasp[i] = stamp_lift_weight(plan, touch[i], value[i], {depth[i], base[i] + depth[i]});
+}
+
+/// The cells from the first to the last that the tip touches.
+DetailStamp::Cells touched_cells(std::span<const float> value) {
+  int begin = 0, end = static_cast<int>(value.size());
+  while (begin < end && !(value[at(begin)] > 0)) ++begin;
+  while (begin < end && !(value[at(end - 1)] > 0)) --end;
+  return {begin, end};
+}
 }  // namespace
 
 DetailStamp::DetailStamp(DetailCanvas& canvas, std::span<const float> amount,
@@ -77,36 +79,37 @@ DetailStamp::DetailStamp(DetailCanvas& canvas, std::span<const float> amount,
       amount_(amount.begin(), amount.end()),
       threads_(threads) {}
 
+/// Calls body(part) for the stamp's parts for which there was memory.
+template <typename Body>
+void DetailStamp::for_parts(const Body& body) {
+  threads_.for_ranges(0, static_cast<int>(used_), 1, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i)
+      if (parts_[at(i)].usable) body(parts_[at(i)]);
+  });
+}
+
 void DetailStamp::lift(const StampPlan& plan, const CanvasState& guide) {
   find_parts(plan);
-  for (Part& part : parts_) {
-    canvas_.at(part.tile);
-    find_planes(part);
-  }
-  threads_.for_ranges(0, static_cast<int>(parts_.size()), 1, [&](int begin, int end) {
-    for (int i = begin; i < end; ++i) {
-      Part& part = parts_[at(i)];
-      if (!part.usable) continue;
-      measure(plan, part);
-      lift_part(plan, part);
-      note_layers(plan, guide, part);
-    }
+  for (std::size_t i = 0; i < used_; ++i) find_planes(parts_[i]);
+  tip_.draw(plan, std::sqrt(fine_.dx_m() * fine_.dy_m()));
+  for_parts([&](Part& part) {
+    measure(plan, part);
+    lift_part(plan, part);
+    note_layers(plan, guide, part);
   });
 }
 
 void DetailStamp::lay(const StampPlan& plan, const CanvasState& guide) {
-  for (Part& part : parts_) {
-    const int k = canvas_.layout().factor();
+  const int k = canvas_.layout().factor();
+  for (std::size_t i = 0; i < used_; ++i) {
+    Part& part = parts_[i];
     canvas_.cover(part.tile, guide,
                   {part.x0 / k, (part.x1 + k - 1) / k, part.y0 / k, (part.y1 + k - 1) / k});
     find_planes(part);
   }
-  threads_.for_ranges(0, static_cast<int>(parts_.size()), 1, [&](int begin, int end) {
-    for (int i = begin; i < end; ++i) {
-      if (!parts_[at(i)].usable) continue;
-      open_part(plan, guide, parts_[at(i)]);
-      lay_part(plan, parts_[at(i)]);
-    }
+  for_parts([&](Part& part) {
+    open_part(plan, guide, part);
+    lay_part(plan, part);
   });
 }
 
@@ -119,19 +122,19 @@ GuideBox DetailStamp::box() const {
 /// The tiles under the tip, with the cells of each.
 void DetailStamp::find_parts(const StampPlan& plan) {
   box_ = cells_of(plan, fine_, canvas_.layout().factor());
-  parts_.clear();
+  used_ = 0;
   if (box_.empty()) return;
   const DetailLayout& layout = canvas_.layout();
   const int side = layout.side();
   for (int row = box_.y / side; row * side < box_.y + box_.height; ++row) {
     for (int column = box_.x / side; column * side < box_.x + box_.width; ++column) {
-      Part part;
+      if (used_ == parts_.size()) parts_.emplace_back();
+      Part& part = parts_[used_++];
       part.tile = layout.tile_of(column, row);
       part.x0 = std::max(box_.x, column * side);
       part.x1 = std::min(box_.x + box_.width, (column + 1) * side);
       part.y0 = std::max(box_.y, row * side);
       part.y1 = std::min(box_.y + box_.height, (row + 1) * side);
-      parts_.push_back(std::move(part));
     }
   }
 }
@@ -148,9 +151,10 @@ void DetailStamp::find_planes(Part& part) {
       part.planes.push_back(tile.pigment[at(layer * canvas_.channels() + c)].data());
 }
 
-LayerRow DetailStamp::row_of(const Part& part, int y) const {
+/// The part's row y from its cell `begin` on.
+LayerRow DetailStamp::row_of(const Part& part, int y, int begin) const {
   const int side = canvas_.layout().side();
-  return {part.planes, static_cast<std::ptrdiff_t>(y % side) * side + part.x0 % side,
+  return {part.planes, static_cast<std::ptrdiff_t>(y % side) * side + part.x0 % side + begin,
           canvas_.layers(), static_cast<int>(part.channels.size()), part.amount};
 }
 
@@ -158,39 +162,39 @@ LayerRow DetailStamp::row_of(const Part& part, int y) const {
 void DetailStamp::measure(const StampPlan& plan, Part& part) {
   const int side = canvas_.layout().side();
   const DetailTile& tile = *canvas_.find(part.tile);
-  const SweptTip swept(plan, std::sqrt(fine_.dx_m() * fine_.dy_m()));
-  const std::size_t cells = at(part.width()) * at(part.y1 - part.y0);
+  const std::size_t width = at(part.width());
+  const std::size_t cells = width * at(part.y1 - part.y0);
   for (std::vector<float>* v : {&part.value, &part.share, &part.touch, &part.grasp})
-    v->resize(cells);
-  std::size_t i = 0;
+    if (v->size() < cells) v->resize(cells);
+  part.touched.resize(at(part.y1 - part.y0));
   for (int y = part.y0; y < part.y1; ++y) {
     const TipRow tip = tip_row(plan.pose, box_, fine_, y);
-    const std::ptrdiff_t first = static_cast<std::ptrdiff_t>(y % side) * side + part.x0 % side;
-    const float* base = tile.base_m.data() + first;
-    const float* depth = tile.depth_m.data() + first;
-    for (int x = 0; x < part.width(); ++x, ++i) {
-      const float u = tip.u(part.x0 - box_.x + x), v = tip.v(part.x0 - box_.x + x);
-      const float value = swept.value(u, v);
-      part.value[i] = value;
-      part.touch[i] = value > 0 ? stamp_touch(plan, value, v) : 0.0f;
-      part.grasp[i] = stamp_lift_weight(plan, part.touch[i], value, {depth[x], base[x] + depth[x]});
-      part.share[i] =
-          value > 0 ? plan.share_scale * stamp_levelled(plan, value, base[x] + depth[x]) : 0.0f;
-    }
+    const std::size_t line = part.line(y);
+    const int first = part.x0 - box_.x;
+    tip_.row(tip, first, {part.value.data() + line, width});
+    const Cells touched = touched_cells({part.value.data() + line, width});
+    part.touched[at(y - part.y0)] = touched;
+    if (touched.begin == touched.end) continue;
+    const std::ptrdiff_t cell =
+        static_cast<std::ptrdiff_t>(y % side) * side + part.x0 % side + touched.begin;
+    const std::size_t begin = line + at(touched.begin);
+    measure_row(plan, {tip.u(first), tip.v(first + touched.begin), tip.du, tip.dv},
+                touched.end - touched.begin, part.value.data() + begin, tile.base_m.data() + cell,
+                tile.depth_m.data() + cell,
+                {part.touch.data() + begin, part.grasp.data() + begin, part.share.data() + begin});
   }
 }
 
 void DetailStamp::lift_part(const StampPlan& plan, Part& part) {
   const int side = canvas_.layout().side();
-  const std::size_t width = at(part.width());
-  const int stride = 1 + static_cast<int>(part.channels.size());
-  std::vector<float> lifted(width * at(stride));
-  std::vector<double> sums(at(stride));
   float* depth = canvas_.find(part.tile)->depth_m.data();
-  for (int y = part.y0; y < part.y1; ++y)
-    lift_row(plan.lift, row_of(part, y), {part.grasp.data() + at(y - part.y0) * width, width},
-             depth + static_cast<std::ptrdiff_t>(y % side) * side + part.x0 % side, lifted.data(),
-             stride, sums);
+  for (int y = part.y0; y < part.y1; ++y) {
+    const Cells& touched = part.touched_in(y);
+    if (touched.begin == touched.end) continue;
+    lift_row(plan.lift, row_of(part, y, touched.begin),
+             {part.grasp.data() + part.line(y) + touched.begin, at(touched.end - touched.begin)},
+             depth + static_cast<std::ptrdiff_t>(y % side) * side + part.x0 % side + touched.begin);
+  }
 }
 
 /// What the guide's layers are under the part, before it lays.
@@ -232,18 +236,19 @@ void DetailStamp::lay_part(const StampPlan& plan, Part& part) {
   const int k = layout.factor(), side = layout.side();
   DetailTile& tile = *canvas_.find(part.tile);
   const int first = part.x0 / k, columns = (part.x1 - 1) / k - first + 1;
-  const std::size_t width = at(part.width());
-  float* depth_plane = tile.depth_m.data();
   std::vector<float> paint(at(plan.stride));
   for (int y = part.y0; y < part.y1; ++y) {
+    const Cells& touched = part.touched_in(y);
+    if (touched.begin == touched.end) continue;
     const TipRow tip = tip_row(plan.pose, box_, fine_, y);
-    const LayerRow row = row_of(part, y);
-    float* depth = depth_plane + static_cast<std::ptrdiff_t>(y % side) * side + part.x0 % side;
-    const std::size_t line = at(y - part.y0) * width;
-    for (int x = 0; x < part.width(); ++x) {
+    const LayerRow row = row_of(part, y, 0);
+    float* depth =
+        tile.depth_m.data() + static_cast<std::ptrdiff_t>(y % side) * side + part.x0 % side;
+    const std::size_t line = part.line(y);
+    const std::int8_t* targets = part.target.data() + (y / k - part.y0 / k) * columns;
+    for (int x = touched.begin; x < touched.end; ++x) {
       const float share = part.share[line + at(x)];
-      const int bx = (part.x0 + x) / k;
-      const int target = part.target[at((y / k - part.y0 / k) * columns + bx - first)];
+      const int target = targets[(part.x0 + x) / k - first];
       if (!(share > 0) || target == kOpens) continue;
       open_cell(tile, layout, row, part.x0 + x, y, x);
       const int in_box = part.x0 - box_.x + x;
@@ -255,7 +260,8 @@ void DetailStamp::lay_part(const StampPlan& plan, Part& part) {
       for (std::size_t c = 0; c < part.channels.size(); ++c)
         row.at(target, static_cast<int>(c), x) += part_laid * paint[1 + at(part.channels[c])];
     }
-    mix_layers_row(plan.mix, row, {part.touch.data() + line, width});
+    mix_layers_row(plan.mix, row_of(part, y, touched.begin),
+                   {part.touch.data() + line + touched.begin, at(touched.end - touched.begin)});
   }
 }
 

@@ -9,6 +9,7 @@
 #include "core/brush/stamp_plan.h"
 #include "core/detail/block_layers.h"
 #include "core/detail/detail_canvas.h"
+#include "core/detail/swept_tip.h"
 #include "core/threads.h"
 
 namespace pentimento {
@@ -26,23 +27,35 @@ class DetailStamp {
   /// Cells of the guide under the last stamp.
   GuideBox box() const;
 
+  /// Of a row of a part, counted from its first cell.
+  struct Cells {
+    int begin = 0, end = 0;
+  };
+
  private:
   /// The stamp's part of one tile.
   struct Part {
     int tile = 0;
-    bool usable = true;                  // there was memory for it
-    int x0 = 0, x1 = 0, y0 = 0, y1 = 0;  // fine cells of the canvas
-    std::vector<int> channels;           // of the tile
-    std::vector<float> amount;           // of those
-    std::vector<float*> planes;          // [layer * channels.size() + i]
-    std::vector<float> value, share, touch, grasp;
-    std::vector<LayerOpening> opening;  // per block under the part
-    std::vector<std::int8_t> target;    // -1: opens
+    bool usable = true;                             // there was memory for it
+    int x0 = 0, x1 = 0, y0 = 0, y1 = 0;             // fine cells of the canvas
+    std::vector<int> channels;                      // of the tile
+    std::vector<float> amount;                      // of those
+    std::vector<float*> planes;                     // [layer * channels.size() + i]
+    std::vector<float> value, share, touch, grasp;  // per cell; 0 beside `touched`
+    std::vector<Cells> touched;                     // per row
+    std::vector<LayerOpening> opening;              // per block under the part
+    std::vector<std::int8_t> target;                // -1: opens
     int width() const { return x1 - x0; }
+    std::size_t line(int y) const {
+      return static_cast<std::size_t>(y - y0) * static_cast<std::size_t>(width());
+    }
+    const Cells& touched_in(int y) const { return touched[static_cast<std::size_t>(y - y0)]; }
   };
+  template <typename Body>
+  void for_parts(const Body& body);
   void find_parts(const StampPlan& plan);
   void find_planes(Part& part);
-  LayerRow row_of(const Part& part, int y) const;
+  LayerRow row_of(const Part& part, int y, int begin) const;
   void measure(const StampPlan& plan, Part& part);
   void lift_part(const StampPlan& plan, Part& part);
   void note_layers(const StampPlan& plan, const CanvasState& guide, Part& part);
@@ -53,8 +66,10 @@ class DetailStamp {
   CanvasGeometry fine_;
   std::vector<float> amount_;
   const Threads& threads_;
-  std::vector<Part> parts_;
+  std::vector<Part> parts_;  // the first `used_` are the stamp's, the others keep their buffers
+  std::size_t used_ = 0;
   CellBox box_;
+  SweptTip tip_;
 };
 
 }  // namespace pentimento

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/fluid/conservative/kernel.h"
 #include "core/layers/cell_block.h"
 
 namespace pentimento {
@@ -10,25 +11,37 @@ namespace {
 /// Less than this is lifted whole, before it fades into subnormal numbers, which are slow.
 constexpr float kTrace = 1e-20f;
 
-/// Takes share[i] of values[i], into the components `taken` (`stride` apart); returns the sum of
-/// what left, exactly, from four interleaved sums.
-double take(const BlockValues& share, int cells, float* values, float* taken, int stride) {
-  BlockValues gone;
+/// Takes share[i] of values[i]; `gone`: what left, exactly.
+PENTIMENTO_KERNEL
+void take(const float* share, int cells, float* __restrict values, float* __restrict gone) {
   for (int i = 0; i < cells; ++i) {
     const float value = values[i];
-    const float rest = value - share[static_cast<std::size_t>(i)] * value;
+    const float rest = value - share[i] * value;
     const float left = rest < kTrace ? 0 : rest;
-    gone[static_cast<std::size_t>(i)] = value - left;
+    gone[i] = value - left;
     values[i] = left;
   }
-  double lane[4] = {0, 0, 0, 0};
-  for (int i = 0; i < cells; ++i) {
-    const float g = gone[static_cast<std::size_t>(i)];
-    taken[static_cast<std::ptrdiff_t>(i) * stride] += g;
-    lane[i & 3] += static_cast<double>(g);
-  }
-  return (lane[0] + lane[1]) + (lane[2] + lane[3]);
 }
+
+/// Where what is lifted is noted: per cell, `stride` floats apart, and its sums per component.
+struct Record {
+  float* lifted = nullptr;  // nullptr: nobody asks
+  int stride = 0;
+  std::span<double> sums;
+
+  /// Adds what left one component, its sum from four interleaved ones.
+  void note(const BlockValues& gone, int cells, int first, int component) const {
+    if (lifted == nullptr) return;
+    float* taken = lifted + static_cast<std::ptrdiff_t>(first) * stride + component;
+    double lane[4] = {0, 0, 0, 0};
+    for (int i = 0; i < cells; ++i) {
+      const float g = gone[static_cast<std::size_t>(i)];
+      taken[static_cast<std::ptrdiff_t>(i) * stride] += g;
+      lane[i & 3] += static_cast<double>(g);
+    }
+    sums[static_cast<std::size_t>(component)] += (lane[0] + lane[1]) + (lane[2] + lane[3]);
+  }
+};
 
 /// A block of cells: where it starts, and the share lifted of each where the brush reaches fully.
 struct Block {
@@ -39,11 +52,10 @@ struct Block {
 /// Lifts from one layer; adds the layer's reach to the weight of the depth.
 void lift_layer(const Lift& lift, const LayerRow& row, const Block& block,
                 const BlockTotals& totals, const std::array<int, kBlockCells>& occupied, int layer,
-                BlockValues& depth_weight, float* lifted, int stride, std::span<double> sums) {
-  BlockValues part;
+                BlockValues& depth_weight, const Record& record) {
+  BlockValues part{}, gone;
   for (int i = 0; i < block.cells; ++i) {
     const std::size_t at = static_cast<std::size_t>(i);
-    part[at] = 0;
     if (layer >= occupied[at] || !(block.share[at] > 0)) continue;
     const float reach = reach_weight(lift.reach_frac, layer, occupied[at]);
     depth_weight[at] += reach / static_cast<float>(occupied[at]);
@@ -52,18 +64,18 @@ void lift_layer(const Lift& lift, const LayerRow& row, const Block& block,
   }
   for (int c = 0; c < row.channels; ++c) {
     float* plane = &row.at(layer, c, block.first);
-    if (any_paint(plane, block.cells))
-      sums[static_cast<std::size_t>(1 + c)] +=
-          take(part, block.cells, plane, lifted + 1 + c, stride);
+    if (!any_paint(plane, block.cells)) continue;
+    take(part.data(), block.cells, plane, gone.data());
+    record.note(gone, block.cells, block.first, 1 + c);
   }
 }
 
 void lift_block(const Lift& lift, const LayerRow& row, const Block& block, float* depth_m,
-                float* lifted, int stride, std::span<double> sums) {
+                const Record& record) {
   BlockTotals totals;
   totals.find(row, block.first, block.cells);
   std::array<int, kBlockCells> occupied;
-  BlockValues depth_weight;
+  BlockValues depth_weight{};
   int most = 0;
   for (int i = 0; i < block.cells; ++i) {
     const std::size_t at = static_cast<std::size_t>(i);
@@ -72,12 +84,32 @@ void lift_block(const Lift& lift, const LayerRow& row, const Block& block, float
     depth_weight[at] = occupied[at] == 0 ? 1.0f : 0.0f;
   }
   for (int layer = 0; layer < most; ++layer)
-    lift_layer(lift, row, block, totals, occupied, layer, depth_weight, lifted, stride, sums);
+    lift_layer(lift, row, block, totals, occupied, layer, depth_weight, record);
   for (int i = 0; i < block.cells; ++i) {
     const std::size_t at = static_cast<std::size_t>(i);
     depth_weight[at] = block.share[at] * std::min(depth_weight[at], 1.0f);
   }
-  sums[0] += take(depth_weight, block.cells, depth_m, lifted, stride);
+  BlockValues gone;
+  take(depth_weight.data(), block.cells, depth_m, gone.data());
+  record.note(gone, block.cells, block.first, 0);
+}
+
+void lift_blocks(const Lift& lift, const LayerRow& row, std::span<const float> weight,
+                 float* depth_m, const Record& record) {
+  const int cells = static_cast<int>(weight.size());
+  for (int first = 0; first < cells; first += kBlockCells) {
+    Block block;
+    block.first = first;
+    block.cells = std::min(kBlockCells, cells - first);
+    bool any = false;
+    for (int i = 0; i < block.cells; ++i) {
+      const float share =
+          std::min(1.0f, lift.share_frac * weight[static_cast<std::size_t>(first + i)]);
+      block.share[static_cast<std::size_t>(i)] = share > 0 ? share : 0;
+      any |= share > 0;
+    }
+    if (any) lift_block(lift, row, block, depth_m + first, record);
+  }
 }
 }  // namespace
 
@@ -91,23 +123,13 @@ float reach_weight(float reach_frac, int layer, int occupied) {
 void lift_row(const Lift& lift, const LayerRow& row, std::span<const float> weight, float* depth_m,
               float* lifted, int stride, std::span<double> sums) {
   std::fill(sums.begin(), sums.end(), 0.0);
-  const int cells = static_cast<int>(weight.size());
-  std::fill_n(lifted, static_cast<std::ptrdiff_t>(cells) * stride, 0.0f);
-  for (int first = 0; first < cells; first += kBlockCells) {
-    Block block;
-    block.first = first;
-    block.cells = std::min(kBlockCells, cells - first);
-    bool any = false;
-    for (int i = 0; i < block.cells; ++i) {
-      const float share =
-          std::min(1.0f, lift.share_frac * weight[static_cast<std::size_t>(first + i)]);
-      block.share[static_cast<std::size_t>(i)] = share > 0 ? share : 0;
-      any |= share > 0;
-    }
-    if (any)
-      lift_block(lift, row, block, depth_m + first,
-                 lifted + static_cast<std::ptrdiff_t>(first) * stride, stride, sums);
-  }
+  std::fill_n(lifted, static_cast<std::ptrdiff_t>(weight.size()) * stride, 0.0f);
+  lift_blocks(lift, row, weight, depth_m, {lifted, stride, sums});
+}
+
+void lift_row(const Lift& lift, const LayerRow& row, std::span<const float> weight,
+              float* depth_m) {
+  lift_blocks(lift, row, weight, depth_m, {});
 }
 
 }  // namespace pentimento

@@ -27,5 +27,7 @@ float reach_weight(float reach_frac, int layer, int occupied);
 /// `weight`, `depth_m`: one value per cell; `lifted`: `stride` floats per cell.
 void lift_row(const Lift& lift, const LayerRow& row, std::span<const float> weight, float* depth_m,
               float* lifted, int stride, std::span<double> sums);
+/// The same, for whoever does not ask what was lifted.
+void lift_row(const Lift& lift, const LayerRow& row, std::span<const float> weight, float* depth_m);
 
 }  // namespace pentimento

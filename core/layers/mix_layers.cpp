@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/fluid/conservative/kernel.h"
 #include "core/layers/cell_block.h"
 
 namespace pentimento {
@@ -9,6 +10,7 @@ namespace pentimento {
 namespace {
 /// Exchange between the layers of one channel. `exchange[k]`: m between layers k and k + 1, 0 above
 /// a cell's topmost layer.
+PENTIMENTO_KERNEL
 void mix_channel(const LayerRow& row, int channel, int first, int cells, const BlockValues& mobile,
                  const std::array<BlockValues, kMaxLayers>& exchange) {
   BlockValues below, incoming{};

@@ -1,0 +1,132 @@
+#include "core/detail/swept_tip.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/fluid/conservative/kernel.h"
+
+namespace pentimento {
+
+namespace {
+constexpr int kMostPrints = 8;
+constexpr int kRim = 2;  // zeros that positions outside are led to
+
+PENTIMENTO_KERNEL
+void blend_row(const float* a, const float* b, float frac, int n, float* __restrict out) {
+  for (int i = 0; i < n; ++i) out[i] = a[i] + frac * (b[i] - a[i]);
+}
+
+PENTIMENTO_KERNEL
+void multiply_row(float by, int n, float* __restrict out) {
+  for (int i = 0; i < n; ++i) out[i] *= by;
+}
+
+/// out += the mean of four neighbours, weighted.
+PENTIMENTO_KERNEL
+void add_shifted_row(const float* top, const float* bottom, const float* w, int n,
+                     float* __restrict out) {
+  const float a = w[0], b = w[1], c = w[2], d = w[3];
+  for (int i = 0; i < n; ++i)
+    out[i] += (a * top[i] + b * top[i + 1]) + (c * bottom[i] + d * bottom[i + 1]);
+}
+
+/// Positions of a row of cells in the map, in texels.
+struct MapRow {
+  float x0, y0, dx, dy;
+  float last_x, last_y;  // the last positions that have a neighbour
+};
+
+PENTIMENTO_KERNEL
+void read_row(const float* map, int stride, const MapRow& at, int first, int n,
+              float* __restrict out) {
+  constexpr float kFaintest = 1e-3f;  // as stamp_value()
+  const MapRow r = at;
+  for (int i = 0; i < n; ++i) {
+    const float x = r.x0 + r.dx * static_cast<float>(first + i);
+    const float y = r.y0 + r.dy * static_cast<float>(first + i);
+    const float cx = std::min(std::max(x, 0.0f), r.last_x);
+    const float cy = std::min(std::max(y, 0.0f), r.last_y);
+    const int ix = static_cast<int>(cx), iy = static_cast<int>(cy);
+    const float fx = cx - static_cast<float>(ix), fy = cy - static_cast<float>(iy);
+    const int p = iy * stride + ix;
+    const float top = map[p] + fx * (map[p + 1] - map[p]);
+    const float bottom = map[p + stride] + fx * (map[p + stride + 1] - map[p + stride]);
+    const float value = top + fy * (bottom - top);
+    out[i] = value < kFaintest ? 0.0f : value;
+  }
+}
+
+void make_room(Field<float>& map, int size) {
+  if (map.width() == size) {
+    map.fill(0.0f);
+  } else {
+    map = Field<float>(size, size);
+  }
+}
+}  // namespace
+
+/// The pressed and dried tip, with the margin around it.
+void SweptTip::blend(const TipLevel& level) {
+  const int start = margin_ - 1;  // the tip's own maps have a rim of one zero
+  for (int j = 0; j < size_ + 2; ++j) {
+    float* out = still_.row(start + j) + start;
+    blend_row(level.low->padded_row(j), level.high->padded_row(j), level.frac, size_ + 2, out);
+    if (level.gives_low == nullptr) continue;
+    const float v = (static_cast<float>(j) - 0.5f) / static_cast<float>(size_) - 0.5f;
+    const float few = level.gives_low->at(v);
+    multiply_row(few + level.gives_frac * (level.gives_high->at(v) - few), size_ + 2, out);
+  }
+}
+
+/// map(x) += weight still(x + shift)
+void SweptTip::add_print(float u_texels, float v_texels, float weight) {
+  const float fu = std::floor(u_texels), fv = std::floor(v_texels);
+  const int iu = static_cast<int>(fu), iv = static_cast<int>(fv);
+  const float tu = u_texels - fu, tv = v_texels - fv;
+  const float w[4] = {weight * (1 - tu) * (1 - tv), weight * tu * (1 - tv), weight * (1 - tu) * tv,
+                      weight * tu * tv};
+  const int width = map_.width();
+  const int x0 = std::max(kRim, -iu), x1 = std::min(width - kRim, width - 1 - iu);
+  const int y0 = std::max(kRim, -iv), y1 = std::min(width - kRim, width - 1 - iv);
+  for (int y = y0; y < y1; ++y)
+    add_shifted_row(still_.row(y + iv) + x0 + iu, still_.row(y + iv + 1) + x0 + iu, w, x1 - x0,
+                    map_.row(y) + x0);
+}
+
+void SweptTip::draw(const StampPlan& plan, float cell_m) {
+  const TipLevel level = stamp_tip_level(plan, cell_m);
+  size_ = level.low->size();
+  const float travel_m = plan.stamp.travel_m;
+  const int prints =
+      std::max(1, static_cast<int>(std::min(travel_m / cell_m, static_cast<float>(kMostPrints))));
+  const Vec2f way = plan.stamp.direction;
+  const float step_m = travel_m / static_cast<float>(prints) * static_cast<float>(size_);
+  const float du = step_m * (plan.pose.u_x * way.x + plan.pose.u_y * way.y);
+  const float dv = step_m * (plan.pose.v_x * way.x + plan.pose.v_y * way.y);
+  const float first = -0.5f * static_cast<float>(prints - 1);
+  const float reach = std::max(std::abs(first * du), std::abs(first * dv));
+  margin_ = kRim + 2 + static_cast<int>(reach);
+  make_room(still_, size_ + 2 * margin_);
+  blend(level);
+  if (prints == 1) {
+    std::swap(still_, map_);
+    return;
+  }
+  make_room(map_, size_ + 2 * margin_);
+  for (int i = 0; i < prints; ++i) {
+    const float at = first + static_cast<float>(i);
+    add_print(at * du, at * dv, 1 / static_cast<float>(prints));
+  }
+}
+
+void SweptTip::row(const TipRow& tip, int first, std::span<float> out) const {
+  const float size = static_cast<float>(size_);
+  const float middle = 0.5f * size - 0.5f + static_cast<float>(margin_);
+  const float last = static_cast<float>(map_.width() - 2);
+  read_row(
+      map_.row(0), static_cast<int>(map_.view().stride()),
+      {tip.u0 * size + middle, tip.v0 * size + middle, tip.du * size, tip.dv * size, last, last},
+      first, static_cast<int>(out.size()), out.data());
+}
+
+}  // namespace pentimento
