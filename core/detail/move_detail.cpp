@@ -24,20 +24,20 @@ class LineMover {
   }
 
   void move(int line) {
-    if (find_part(0, line)) move_depth(line);
-    for (int layer = 0; layer < canvas_.layers(); ++layer)
-      if (any_present(layer) && find_part(1 + layer, line)) move_layer(layer, line);
+    if (!find_part(line)) return;
+    move_depth(line);
+    for (int layer = 0; layer < canvas_.layers(); ++layer) move_layer(layer, line);
   }
 
  private:
   /// The guide's edges along the line, and the part of it that moves. False if none does.
-  bool find_part(int quantity, int line) {
+  bool find_part(int line) {
     const std::size_t blocks = at(run_->length());
     const float across = (static_cast<float>(line) + 0.5f) / static_cast<float>(k_) - 0.5f;
     const int low = across < 0 ? -1 : static_cast<int>(across);
     const int first = std::max(low, -before_run()), second = std::min(low + 1, behind_run() - 1);
-    read_edges(quantity, first, a_);
-    read_edges(quantity, second, b_);
+    read_edges(first, a_);
+    read_edges(second, b_);
     blended_.resize(blocks + 1);
     if (!blend_edges(a_, b_, across - static_cast<float>(low), blended_)) return false;
     std::size_t from = 0, to = blocks;
@@ -66,14 +66,14 @@ class LineMover {
     return (run_->axis == LineAxis::kX ? g.height : g.width) - before_run();
   }
 
-  void read_edges(int quantity, int across, std::vector<float>& out) const {
+  void read_edges(int across, std::vector<float>& out) const {
     const std::size_t blocks = at(run_->length());
     out.assign(blocks + 1, 0.0f);
     if (run_->axis == LineAxis::kX) {
-      const float* row = edges_.x[at(quantity)].row(run_->box.y0 + across) + run_->box.x0;
+      const float* row = edges_.x[0].row(run_->box.y0 + across) + run_->box.x0;
       std::copy_n(row, blocks - 1, out.begin() + 1);
     } else {
-      const Field<float>& plane = edges_.y[at(quantity)];
+      const Field<float>& plane = edges_.y[0];
       for (std::size_t i = 0; i + 1 < blocks; ++i)
         out[i + 1] = plane(run_->box.x0 + across, run_->box.y0 + static_cast<int>(i));
     }
@@ -129,10 +129,6 @@ class LineMover {
     value_.back() = value_[value_.size() - 2];
   }
 
-  bool any_present(int layer) const {
-    const auto first = present_.begin() + 1 + layer * canvas_.channels();
-    return std::any_of(first, first + canvas_.channels(), [](bool has) { return has; });
-  }
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
   DetailCanvas& canvas_;

@@ -16,10 +16,12 @@ struct MoveDetail {
   std::span<const float> amount;  // per channel: its share in the total amount (A26)
 };
 
-/// Moves depth and every channel of every layer along one axis, line by line of fine cells, with
-/// the guide's edges interpolated between its rows (across) and its edges (along). `moving`: the
-/// cells beside edges that move, and at least one around them; paint comes no further than between
-/// edges that move.
+/// Moves depth and every channel of every layer with the depth's edges along one axis, line by line
+/// of fine cells, with the guide's edges interpolated between its rows (across) and its edges
+/// (along). `moving`: the cells beside edges that move, and at least one around them; paint comes
+/// no further than between edges that move. (Layer by layer, with the guide's edges of each, fine
+/// paint is torn apart where guide cells with one layer and with two lie side by side; the lock
+/// brings each layer's share back.)
 void move_detail(DetailCanvas& canvas, const PaintEdges& edges, LineAxis axis,
                  const ChangedBlocks& moving, const MoveDetail& move, const Threads& threads);
 
