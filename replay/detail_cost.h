@@ -15,9 +15,9 @@ struct DetailCost {
   double bare_tile = 16;    // where there never was paint
   // Processor time, as multiples of what a cell of the guide that is awake takes in a step.
   double guide_stamp = 1.0;          // a cell of the guide under a stamp
-  double fine_stamp = 3000;          // a stamp on the finer canvas, whatever its size
-  double stamped_cell_steps = 0.25;  // a fine cell under a stamp
-  double moved_cell_steps = 0.15;    // a fine cell of an awake tile, per step
+  double fine_stamp = 400;           // a stamp on the finer canvas, whatever its size
+  double stamped_cell_steps = 0.40;  // a fine cell under a stamp
+  double moved_cell_steps = 0.25;    // a fine cell of an awake tile, per step
   double canvas_cell = 0.5;          // a fine cell hashed, per stop
   double picture_pixel = 0.8;        // shaded and encoded
 };

@@ -112,8 +112,8 @@ std::int64_t budget_beside(std::int64_t others, const RenderJob& job) {
 JobNeeds job_needs(const RenderJob& job, const LogSession& session, const PaintSurvey& survey) {
   JobNeeds needs;
   const auto plan = plan_outputs(job.picture.outputs, job.stops);
-  if (!plan) return needs;
-  const Writing writing = writing_needs(job, session, plan->front());
+  // Nothing is written by a dry run without outputs, which still asks what painting takes.
+  const Writing writing = plan ? writing_needs(job, session, plan->front()) : Writing{};
   const auto points = static_cast<std::int64_t>(std::max<std::size_t>(1, job.stops.size()));
   const std::int64_t others = guide_bytes(session) + writing.memory;
   const std::int64_t detail =

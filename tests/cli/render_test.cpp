@@ -217,6 +217,8 @@ TEST(CommandRender, DryRunTellsAndWritesNothing) {
   EXPECT_EQ(json_member(ran.out, "detail"), "10");
   EXPECT_EQ(json_member(ran.out, "steps"), "55");
   EXPECT_FALSE(place.has("a.png"));
+  const Ran none = place.run("render a.jsonl --dry-run --json");
+  EXPECT_GT(std::stod(json_member(none.out, "memory_bytes")), 1e6);
 }
 
 TEST(CommandRender, TheLocaleChangesNothing) {
