@@ -24,7 +24,9 @@ struct Video {
 PENTIMENTO_EXPORT void* pentimento_open_video(const char* path, PentimentoVideo* video) {
   try {
     auto opened = std::make_unique<Video>();
-    if (opened->capture.open(path)) {
+    // Only what reads files: asked for any reader, OpenCV would look among the cameras on the bus.
+    if (opened->capture.open(path, cv::CAP_FFMPEG) ||
+        opened->capture.open(path, cv::CAP_OPENCV_MJPEG)) {
       video->frames_per_second = opened->capture.get(cv::CAP_PROP_FPS);
       video->width = static_cast<int>(opened->capture.get(cv::CAP_PROP_FRAME_WIDTH));
       video->height = static_cast<int>(opened->capture.get(cv::CAP_PROP_FRAME_HEIGHT));
