@@ -1,5 +1,6 @@
 // Every exit code, in one line, with nothing written and old files as they were.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "tests/cli/command_run.h"
@@ -92,15 +93,18 @@ TEST(CommandErrors, FailedWritingAndReadingIsFive) {
 
 TEST(CommandErrors, ASignalIsSeventyFiveAndLeavesNothing) {
   Workplace place;
-  std::string log = kSmallLog;  // an hour on a canvas that never rests
-  log += R"({"t":3600,"type":"mark","name":"late"})"
+  // Minutes of brushing to and fro, of which a second is never enough.
+  std::string log = kSmallLog;
+  log += R"({"t":2,"type":"touch","phase":"down","x":0.1,"y":0.1})"
          "\n";
+  for (int i = 1; i <= 1000; ++i)
+    log += fmt::format(R"({{"t":{},"type":"touch","phase":"move","x":{},"y":0.2}})"
+                       "\n",
+                       2 + 0.1 * i, i % 2 == 0 ? 0.1 : 0.3);
   place.write("long.jsonl", log);
   for (const char* signal : {"INT", "TERM"}) {
-    const Ran ran = place.run(
-        "render long.jsonl -o a.png --gravity 5,5,5 --set "
-        "model.velocity_threshold=0 --scale 4",
-        "timeout -s " + std::string(signal) + " --preserve-status 1");
+    const Ran ran = place.run("render long.jsonl -o a.png --scale 4",
+                              "timeout -s " + std::string(signal) + " --preserve-status 1");
     EXPECT_EQ(ran.code, 75) << ran.err;
     EXPECT_EQ(place.files(), 2u);
   }
