@@ -170,6 +170,8 @@ void PictureOptions::add_to(CLI::App& app) {
       ->type_name("X,Y,Z");
   app.add_option("--environment", environment, "panorama that lights the picture (HDR, EXR, ...)")
       ->type_name("FILE");
+  app.add_flag("--soft-environment", soft_environment,
+               "gloss shows only the nine harmonics of the light probe");
   app.add_option("--lamp", lamps,
                  "in place of all lamps, up to 7: dir:X,Y,Z or pos:X,Y,Z (m from the canvas's "
                  "centre), then intensity (0.75), then red, green, blue; repeatable")
@@ -238,6 +240,7 @@ Result<void> PictureOptions::development(log::PictureSpec& picture) const {
 Result<LightChoice> PictureOptions::lighting() const {
   LightChoice choice;
   choice.environment = environment;
+  choice.soft_environment = soft_environment;
   if (Result<void> developed = development(choice.picture); !developed) return developed.error();
   for (const std::string& text : lamps) {
     Result<Lamp> lamp = parse_lamp(text);

@@ -28,7 +28,7 @@ struct PictureOptions {
   std::string white_point, tone_curve;
   std::optional<double> exposure, varnish, occlusion;
   int bit_depth = 8, tile = 1024, threads = 0;
-  bool full_float = false, no_clobber = false;
+  bool full_float = false, no_clobber = false, soft_environment = false;
 
   void add_to(CLI::App& app);
   Result<PictureChoice> picture() const;

@@ -35,6 +35,7 @@ Lighting clone_lighting(const Lighting& lighting) {
   copy.lamps = lighting.lamps;
   copy.environment = lighting.environment;
   for (std::size_t c = 0; c < 3; ++c) copy.reflection.rgb[c] = lighting.reflection.rgb[c].clone();
+  for (std::size_t c = 0; c < 3; ++c) copy.probe[c] = lighting.probe[c].clone();
   copy.reflection.fov_deg = lighting.reflection.fov_deg;
   copy.reflection.mirror = lighting.reflection.mirror;
   copy.roughness_wet = lighting.roughness_wet;

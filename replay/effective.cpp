@@ -45,6 +45,7 @@ void add_lighting(const Lighting& lighting, Provenance& out) {
     sh.append(numbers(coefficient));
   }
   out.emplace_back("environment.sh", sh);
+  out.emplace_back("environment.gloss", lighting.probe[0].empty() ? "sh" : "probe");
   out.emplace_back("reflection", lighting.reflection.rgb[0].empty() ? "environment" : "camera");
   out.emplace_back("varnish", fmt::format("{}", lighting.varnish));
   out.emplace_back("occlusion", fmt::format("{}", lighting.occlusion));

@@ -8,9 +8,9 @@ Result<LightOverride> LightOverride::make(const LightChoice& choice) {
   LightOverride made;
   made.choice_ = choice;
   if (choice.environment.empty()) return made;
-  Result<ShCoefficients> coefficients = read_environment(choice.environment);
-  if (!coefficients) return coefficients.error();
-  made.environment_ = *coefficients;
+  Result<void> read =
+      light_by_panorama(choice.environment, choice.soft_environment, made.panorama_);
+  if (!read) return read.error();
   return made;
 }
 
@@ -25,7 +25,10 @@ void LightOverride::apply(Lighting& lighting) const {
   if (choice_.follow_gravity) lamp.follows_gravity = true;
   if (choice_.intensity) lamp.intensity = static_cast<float>(*choice_.intensity);
   develop(choice_.picture, lighting);
-  if (environment_) lighting.environment = *environment_;
+  if (choice_.soft_environment) lighting.probe = {};
+  if (choice_.environment.empty()) return;
+  lighting.environment = panorama_.environment;
+  for (std::size_t c = 0; c < 3; ++c) lighting.probe[c] = panorama_.probe[c].clone();
 }
 
 }  // namespace pentimento

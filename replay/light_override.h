@@ -18,7 +18,7 @@ class LightOverride {
 
  private:
   LightChoice choice_;
-  std::optional<ShCoefficients> environment_;
+  Lighting panorama_;  // its harmonics and its probe, if an environment is chosen
 };
 
 }  // namespace pentimento

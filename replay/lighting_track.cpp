@@ -1,5 +1,6 @@
 #include "replay/lighting_track.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -8,6 +9,7 @@
 #include "core/optics/lamp.h"
 #include "core/optics/tone.h"
 #include "formats/image/read_image.h"
+#include "formats/image/resample.h"
 
 namespace pentimento {
 
@@ -64,11 +66,20 @@ Lighting default_lighting() {
   return lighting;
 }
 
-Result<ShCoefficients> read_environment(const std::string& path) {
+Result<void> light_by_panorama(const std::string& path, bool soft, Lighting& lighting) {
+  // Finer is not told apart in the gloss of the smoothest paint: 0.7 degrees a pixel.
+  constexpr int kMostWide = 512, kMostHigh = 256;
   Result<std::array<Field<float>, 3>> rgb = read_rgb(path);
   if (!rgb) return rgb.error();
-  const std::array<Field<float>, 3>& planes = *rgb;
-  return project_panorama({planes[0].view(), planes[1].view(), planes[2].view()});
+  std::array<Field<float>, 3>& planes = *rgb;
+  lighting.environment = project_panorama({planes[0].view(), planes[1].view(), planes[2].view()});
+  lighting.probe = {};
+  if (soft) return {};
+  const int width = std::min(planes[0].width(), kMostWide);
+  const int height = std::min(planes[0].height(), kMostHigh);
+  for (std::size_t c = 0; c < 3; ++c)
+    lighting.probe[c] = resample_area(planes[c].view(), width, height);
+  return {};
 }
 
 Result<void> LightingTrack::follow(const log::Action& action, std::int64_t step, LogFiles& files) {
@@ -107,14 +118,12 @@ void LightingTrack::light(const log::Light& event) {
 Result<void> LightingTrack::environment(const log::Environment& event, LogFiles& files) {
   if (event.sh) {
     for (std::size_t i = 0; i < 9; ++i) lighting_.environment.L[i] = to_float((*event.sh)[i]);
+    lighting_.probe = {};
     return {};
   }
   Result<std::string> path = files.use(event.file);
   if (!path) return path.error();
-  Result<ShCoefficients> coefficients = read_environment(*path);
-  if (!coefficients) return coefficients.error();
-  lighting_.environment = *coefficients;
-  return {};
+  return light_by_panorama(*path, event.soft, lighting_);
 }
 
 Result<void> LightingTrack::camera(const log::Camera& event, std::int64_t step, LogFiles& files) {

@@ -21,8 +21,10 @@ namespace pentimento {
 /// an even, slightly cool room light from above.
 Lighting default_lighting();
 
-/// A panorama file (equirectangular, HDR, EXR or any picture) as nine coefficients.
-Result<ShCoefficients> read_environment(const std::string& path);
+/// Puts a panorama's light (a file: equirectangular, HDR, EXR or any picture) into `lighting`: its
+/// nine coefficients and, unless it is `soft`, what the gloss shows of it, at most 512 x 256.
+/// Errors: those of the file.
+Result<void> light_by_panorama(const std::string& path, bool soft, Lighting& lighting);
 
 /// A direction of a log or command line at unit length; (0,0,1) if it has none.
 std::array<float, 3> unit_direction(const std::array<double, 3>& direction);

@@ -24,8 +24,9 @@ struct LightChoice {
   std::optional<std::array<double, 3>> direction;  // viewer's frame, y up
   bool follow_gravity = false;
   std::optional<double> intensity;
-  std::vector<Lamp> lamps;  // in place of all; empty: as they are
-  std::string environment;  // a panorama's file; empty: as it is
+  std::vector<Lamp> lamps;        // in place of all; empty: as they are
+  std::string environment;        // a panorama's file; empty: as it is
+  bool soft_environment = false;  // gloss shows no more of it than nine harmonics
   log::PictureSpec picture;
 };
 

@@ -50,6 +50,10 @@ struct ReflectionMap {
   bool mirror = true;
 };
 
+/// A light probe as the gloss of paint shows it (gloss_table.h): an equirectangular panorama, linear
+/// RGB, row 0 on top; empty = the gloss shows the nine harmonics of the environment.
+using LightProbe = std::array<Field<float>, 3>;
+
 inline constexpr int kMostLamps = 7;
 
 /// How scene-linear light becomes the values of a display (tone.h).
@@ -60,6 +64,7 @@ inline constexpr std::array<float, 2> kD65_xy = {0.3127f, 0.3290f};
 struct Lighting {
   std::vector<Lamp> lamps = std::vector<Lamp>(1);  // 1 to kMostLamps; the first is the lamp
   ShCoefficients environment = kStudioEnvironment;
+  LightProbe probe;  // that the harmonics were made of
   ReflectionMap reflection;
   float roughness_wet = 0.16f;  // Beckmann a; by eye (docs/optics.md)
   float roughness_dry = 0.45f;

@@ -124,6 +124,17 @@ std::optional<GlTexture> reflection_texture(const GlFunctions& gl, const Reflect
   return texture;
 }
 
+std::optional<GlTexture> gloss_texture(const GlFunctions& gl, const GlossTable* table) {
+  if (table == nullptr) return std::nullopt;
+  constexpr int kSide = GlossTable::kSide;
+  GlTexture texture(gl, TexelFormat::kRgb, kSide, kSide, GlossTable::kLevels, true);
+  for (int level = 0; level < GlossTable::kLevels; ++level) {
+    texture.upload(kSide, kSide, table->rgb.data() + std::ptrdiff_t{3} * kSide * kSide * level,
+                   level);
+  }
+  return texture;
+}
+
 /// Full-width rows of every plane, filled tile by tile.
 class StripBuffer {
  public:
@@ -181,6 +192,7 @@ PictureLayout lay_out(const ShadeScene& scene, const ShadeRequest& request,
   variant.interface = scene.model.saunderson_k1 != 0 || scene.model.saunderson_k2 != 0;
   variant.by_depth = scene.model.optical_thickness == OpticalThickness::kDepth;
   variant.reflection_map = !scene.lighting.reflection.rgb[0].empty();
+  variant.probe = !scene.lighting.probe[0].empty();
   variant.lamps = static_cast<int>(shining(scene.lighting).size());
   variant.occlusion = scene.lighting.occlusion > 0;
   if (variant.occlusion) out.border = horizon_border(grid);
@@ -204,6 +216,7 @@ Result<void> shade_picture(const ShadeTools& tools, const ShadeScene& scene,
   TileTextures textures(gl, layout);
   GlTargets targets(gl, tiles.width, tiles.height, layout.variant.targets);
   const std::optional<GlTexture> reflection = reflection_texture(gl, scene.lighting.reflection);
+  const std::optional<GlTexture> gloss = gloss_texture(gl, tools.gloss);
   std::optional<HorizonTextures> horizon;
   if (layout.variant.occlusion) horizon.emplace(gl, scene, layout, tools.threads);
   if (!targets.complete() || gl.GetError() != GL_NO_ERROR) return out_of_memory();
@@ -227,6 +240,7 @@ Result<void> shade_picture(const ShadeTools& tools, const ShadeScene& scene,
       if (horizon) horizon->bind();
       set_first_cell(tools.program, window.x, window.y);
       if (reflection) reflection->bind(kReflectionMap);
+      if (gloss) gloss->bind(kGloss);
       targets.draw(column.count, row.count);
       for (int t = 0; t < layout.variant.targets; ++t) {
         targets.read(t, column.count, row.count, texels.data());

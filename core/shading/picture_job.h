@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/optics/gloss_table.h"
 #include "core/shading/aov.h"
 #include "core/shading/gl/objects.h"
 #include "core/shading/picture.h"
@@ -37,6 +38,7 @@ PictureLayout lay_out(const ShadeScene& scene, const ShadeRequest& request,
 struct ShadeTools {
   const GlFunctions& gl;
   const GlProgram& program;  // of the layout's variant
+  const GlossTable* gloss;   // of the light probe; none without one
   const Threads& threads;
 };
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/optics/composite.h"
+#include "core/optics/gloss_table.h"
 #include "core/optics/microfacet.h"
 #include "core/optics/spectral/band_weights.h"
 #include "core/optics/tone.h"
@@ -85,9 +86,9 @@ std::string ShadeVariant::defines() const {
                      define("INTERPOLATE", interpolate) + define("BY_DEPTH", by_depth) +
                      define("REFLECTION_MAP", reflection_map) + define("SPECTRAL", spectral) +
                      define("BAND_TEXELS", band_texels()) + define("INTERFACE", interface) +
-                     define("REFLECTION_MAP", reflection_map) + define("LAMPS", lamps) +
-                     define("OCCLUSION_PLANES", occlusion_planes()) + "#define EMPTY_AMOUNT " +
-                     std::to_string(kEmptyLayerAmount * 1e7f) + "e-7\n";
+                     define("PROBE", probe) + define("GLOSS_LEVELS", GlossTable::kLevels) +
+                     define("LAMPS", lamps) + define("OCCLUSION_PLANES", occlusion_planes()) +
+                     "#define EMPTY_AMOUNT " + std::to_string(kEmptyLayerAmount * 1e7f) + "e-7\n";
   for (std::size_t i = 1; i < target.size(); ++i) {
     if (target[i] >= 0) text += define(kTargetDefine[i], target[i]);
   }
@@ -125,7 +126,8 @@ void set_shade_uniforms(const GlProgram& program, const ShadeParameters& p) {
                                                         {"reflection_map", kReflectionMap},
                                                         {"seen_first", kSeenFirst},
                                                         {"seen_second", kSeenSecond},
-                                                        {"dry", kDry}};
+                                                        {"dry", kDry},
+                                                        {"gloss_table", kGloss}};
   for (const auto& [name, unit] : samplers) program.set(name, static_cast<int>(unit));
   const std::array<float, 2> relief_per_cell = {p.lighting.relief_scale / p.grid.dx_m(),
                                                 p.lighting.relief_scale / p.grid.dy_m()};

@@ -26,7 +26,8 @@ struct ShadeVariant {
   bool interpolate = false;
   bool by_depth = false;
   bool reflection_map = false;
-  int lamps = 1;  // that shine
+  bool probe = false;  // the gloss shows a light probe
+  int lamps = 1;       // that shine
   bool occlusion = false;
   /// Where each kind's first target is; -1 = not drawn.
   std::array<int, 7> target = {0, -1, -1, -1, -1, -1, -1};
@@ -55,7 +56,8 @@ enum ShadeUnit {
   kReflectionMap,
   kDry,
   kSeenFirst,
-  kSeenSecond
+  kSeenSecond,
+  kGloss
 };
 
 inline constexpr const char* kGlslVersion = "#version 330 core\n";

@@ -10,6 +10,7 @@
 #include "core/shading/gl/context.h"
 #include "core/shading/gl/functions.h"
 #include "core/shading/gl_limits.h"
+#include "core/shading/gloss_keeper.h"
 #include "core/shading/picture_job.h"
 #include "core/shading/shade_program.h"
 
@@ -115,7 +116,8 @@ class GlShader : public Shader {
       if (!linked) return linked.error();
       program = programs_.emplace(layout.variant, std::move(*linked)).first;
     }
-    return shade_picture({gl_, program->second, threads_}, scene, layout, planes, sinks);
+    const GlossTable* gloss = gloss_.table(scene.lighting, threads_);
+    return shade_picture({gl_, program->second, gloss, threads_}, scene, layout, planes, sinks);
   }
 
   std::unique_ptr<GlContext> context_;
@@ -123,6 +125,7 @@ class GlShader : public Shader {
   std::string description_;
   std::map<ShadeVariant, GlProgram> programs_;
   Threads threads_;
+  GlossKeeper gloss_;
 };
 
 }  // namespace

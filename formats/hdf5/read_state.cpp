@@ -223,10 +223,14 @@ Result<void> StateReader::read_lighting(Lighting& light) const {
   const auto mirror = hdf5::whole_attribute(group.id(), "reflection_mirror");
   if (!mirror) return missing("/lighting attribute reflection_mirror");
   light.reflection.mirror = *mirror != 0;
-  if (!hdf5::has_dataset(file_, "/lighting/reflection")) return {};
-  auto rgb = hdf5::read_rgb_planes(file_, path_, "/lighting/reflection");
-  if (!rgb) return rgb.error();
-  light.reflection.rgb = std::move(*rgb);
+  const std::pair<const char*, std::array<Field<float>, 3>*> pictures[] = {
+      {"/lighting/reflection", &light.reflection.rgb}, {"/lighting/probe", &light.probe}};
+  for (const auto& [name, planes] : pictures) {
+    if (!hdf5::has_dataset(file_, name)) continue;
+    auto rgb = hdf5::read_rgb_planes(file_, path_, name);
+    if (!rgb) return rgb.error();
+    *planes = std::move(*rgb);
+  }
   return {};
 }
 

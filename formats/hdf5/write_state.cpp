@@ -93,21 +93,22 @@ bool write_palette(hid_t file, const StateDump& dump) {
                      wavelength_m);
 }
 
-bool write_reflection(hid_t file, const ReflectionMap& map, int level, const Threads& threads) {
-  const Field<float>& red = map.rgb[0];
+/// A picture of linear light as rows x columns x 3; nothing to do for none.
+bool write_light(hid_t file, const char* name, const char* what,
+                 const std::array<Field<float>, 3>& rgb, int level, const Threads& threads) {
+  const Field<float>& red = rgb[0];
+  if (red.empty()) return true;
   const hdf5::RowSource source = {
       {static_cast<std::uint64_t>(red.height()), static_cast<std::uint64_t>(red.width()), 3},
       [&](std::int64_t row, int, std::span<std::uint32_t> out) {
         for (std::size_t i = 0; i < out.size(); ++i)
-          out[i] = std::bit_cast<std::uint32_t>(map.rgb[i % 3].row(static_cast<int>(row))[i / 3]);
+          out[i] = std::bit_cast<std::uint32_t>(rgb[i % 3].row(static_cast<int>(row))[i / 3]);
       },
       0,
       {}};
-  const Handle dataset(
-      hdf5::write_chunked(file, "/lighting/reflection", H5T_NATIVE_FLOAT, source, level, threads),
-      H5Dclose);
-  return dataset.ok() &&
-         hdf5::describe(dataset.id(), "1", "reflected picture, linear red, green, blue");
+  const Handle dataset(hdf5::write_chunked(file, name, H5T_NATIVE_FLOAT, source, level, threads),
+                       H5Dclose);
+  return dataset.ok() && hdf5::describe(dataset.id(), "1", what);
 }
 
 bool write_lighting(hid_t file, const Lighting& light, int level, const Threads& threads) {
@@ -138,8 +139,11 @@ bool write_lighting(hid_t file, const Lighting& light, int level, const Threads&
          set_attribute(id, "white_y", light.white_xy[1]) &&
          set_attribute(id, "tone_curve", tone_curve_name(light.tone)) &&
          hdf5::write_lamps(file, light.lamps) &&
-         (light.reflection.rgb[0].empty() ||
-          write_reflection(file, light.reflection, level, threads));
+         write_light(file, "/lighting/reflection", "reflected picture, linear red, green, blue",
+                     light.reflection.rgb, level, threads) &&
+         write_light(file, "/lighting/probe",
+                     "light probe that the gloss shows: a panorama, linear red, green, blue",
+                     light.probe, level, threads);
 }
 
 bool write_model(hid_t root, const Model& model) {

@@ -48,6 +48,7 @@ struct Members {
   void operator()(const Environment& environment) const {
     if (!environment.sh) {
       json.text("file", environment.file);
+      if (environment.soft) json.flag("soft", true);
       return;
     }
     std::vector<std::string> triples;

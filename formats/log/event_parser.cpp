@@ -120,9 +120,12 @@ Action parse_environment(Fields& fields) {
   const std::optional<std::string> file = fields.text("file");
   environment.sh = parse_sh(fields);
   environment.file = file.value_or("");
+  const std::optional<bool> soft = fields.flag("soft");
+  environment.soft = soft.value_or(false);
   if (file.has_value() == environment.sh.has_value()) {
     fields.fail("environment needs either file or sh");
   }
+  if (soft && environment.sh) fields.fail("environment has both sh and soft");
   return environment;
 }
 

@@ -118,6 +118,7 @@ struct Light {
 struct Environment {
   std::string file;  // or
   std::optional<std::array<std::array<double, 3>, 9>> sh;
+  bool soft = false;  // of a file: gloss shows its nine harmonics only
 };
 struct Camera {
   std::string file;

@@ -47,13 +47,17 @@ void note_model(const Model& a, const Model& b, Comparison& out) {
   }
 }
 
-bool same_light(const Lighting& a, const Lighting& b) {
+bool same_picture(const std::array<Field<float>, 3>& a, const std::array<Field<float>, 3>& b) {
   for (std::size_t c = 0; c < 3; ++c) {
-    const Field<float>& x = a.reflection.rgb[c];
-    const Field<float>& y = b.reflection.rgb[c];
-    if (x.width() != y.width() || x.height() != y.height()) return false;
-    if (plane_difference("", x.view(), y.view(), 1).differing > 0) return false;
+    if (a[c].width() != b[c].width() || a[c].height() != b[c].height()) return false;
+    if (plane_difference("", a[c].view(), b[c].view(), 1).differing > 0) return false;
   }
+  return true;
+}
+
+bool same_light(const Lighting& a, const Lighting& b) {
+  if (!same_picture(a.reflection.rgb, b.reflection.rgb)) return false;
+  if (!same_picture(a.probe, b.probe)) return false;
   return a.lamps == b.lamps && a.varnish == b.varnish && a.occlusion == b.occlusion &&
          a.white_xy == b.white_xy && a.tone == b.tone && a.environment.L == b.environment.L &&
          a.reflection.fov_deg == b.reflection.fov_deg &&

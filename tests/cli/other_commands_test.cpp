@@ -178,6 +178,27 @@ TEST(CommandRelight, InTheSameLightAndBeforeTheSameCameraItIsTheRender) {
   EXPECT_EQ(place.run("compare a.png plain.png").code, 1);
 }
 
+TEST(CommandRelight, InTheSameLightOfAProbeItIsTheRender) {
+  Workplace place;
+  ASSERT_EQ(place.run("render a.jsonl -o plain.png -o probe.exr --varnish 1 --width 80").code, 0);
+  const auto lit = [&](const std::string& name, const std::string& more) {
+    place.write(name + ".jsonl",
+                kSmallLog + R"({"t":1.2,"type":"environment","file":"probe.exr")" + more + "}\n");
+    const std::string to = " -o " + name + ".png -o " + name + ".h5 --varnish 1";
+    ASSERT_EQ(place.run("render " + name + ".jsonl" + to).code, 0);
+    ASSERT_EQ(place.run("relight " + name + ".h5 -o again.png --tile 40 --threads 1").code, 0);
+    EXPECT_EQ(place.run("compare " + name + ".png again.png").code, 0);
+  };
+  lit("sharp", "");
+  lit("soft", R"(,"soft":true)");
+  EXPECT_EQ(place.run("compare sharp.png soft.png").code, 1);
+  EXPECT_EQ(place.run("compare sharp.h5 soft.h5").code, 0);  // the same paint
+  ASSERT_EQ(place.run("relight sharp.h5 -o again.png --soft-environment").code, 0);
+  EXPECT_EQ(place.run("compare soft.png again.png").code, 0);
+  ASSERT_EQ(place.run("relight soft.h5 -o again.png --environment probe.exr").code, 0);
+  EXPECT_EQ(place.run("compare sharp.png again.png").code, 0);
+}
+
 TEST(CommandRelight, WhatAVideoShowsIsReflectedAtItsTime) {
   Workplace place;
   // Half a second dark, half a second bright; the event happens at 0.2 s of the log.

@@ -10,16 +10,16 @@
 #include "core/model.h"
 #include "core/optics/channels.h"
 #include "core/optics/composite.h"
+#include "core/optics/gloss_table.h"
 #include "core/optics/irradiance.h"
 #include "core/optics/kubelka_munk.h"
 #include "core/optics/lighting.h"
 #include "core/optics/microfacet.h"
 #include "core/optics/tone.h"
+#include "tests/reference/gloss.h"
 #include "tests/reference/horizon.h"
 
 namespace pentimento::reference {
-
-using Rgb = std::array<double, 3>;
 
 struct Pixel {
   Rgb picture{}, albedo{}, normal{}, diffuse{}, specular{}, reflection{};
@@ -171,8 +171,25 @@ class ShadingReference {
     return {L[0], L[1], L[2]};
   }
 
-  Rgb reflected(const Rgb& r, double roughness, double sharp) const {
-    const Rgb around = blurred(r, roughness);
+  /// The light probe between the two roughnesses that its table has on either side.
+  Rgb in_probe(const Rgb& n, double smoothness) const {
+    const double dry = static_cast<double>(light_.roughness_dry);
+    const double wet = static_cast<double>(light_.roughness_wet);
+    const double level = smoothness * (GlossTable::kLevels - 1);
+    const double below = std::min(std::floor(level), GlossTable::kLevels - 2.0);
+    Rgb out{};
+    for (const double k : {below, below + 1}) {
+      const double roughness = dry + (wet - dry) * k / (GlossTable::kLevels - 1);
+      const Rgb light =
+          mean_over_lobe(light_.probe, n, roughness, static_cast<double>(light_.refractive_index));
+      for (std::size_t c = 0; c < 3; ++c) out[c] += light[c] * (1 - std::abs(level - k));
+    }
+    return out;
+  }
+
+  Rgb reflected(const Rgb& n, double smoothness, double roughness, double sharp) const {
+    const Rgb r = {2 * n[2] * n[0], 2 * n[2] * n[1], 2 * n[2] * n[2] - 1};
+    const Rgb around = light_.probe[0].empty() ? blurred(r, roughness) : in_probe(n, smoothness);
     if (light_.reflection.rgb[0].empty()) return around;
     const Rgb seen = in_camera(r);
     Rgb out{};
@@ -220,8 +237,7 @@ class ShadingReference {
     const double flowed = 1 - (1 - varnish) * std::exp(-std::max(p.depth, 0.0) / 4e-4);
     const double roughness = static_cast<double>(light_.roughness_dry) * (1 - flowed) +
                              static_cast<double>(light_.roughness_wet) * flowed;
-    const Rgb mirror =
-        reflected({2 * n[2] * n[0], 2 * n[2] * n[1], 2 * n[2] * n[2] - 1}, roughness, sharp);
+    const Rgb mirror = reflected(n, flowed, roughness, sharp);
     const double sky = horizon_.sky_seen(u, v);
     for (std::size_t c = 0; c < 3; ++c) {
       const double R = p.albedo[c];

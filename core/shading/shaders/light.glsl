@@ -8,6 +8,10 @@ uniform sampler2D reflection_map;
 uniform vec2 reflection_scale;  // picture coordinates per tangent of the angle off the axis
 #endif
 
+#if PROBE
+uniform sampler2DArray gloss_table;  // of normals, from dry to wet: optics/gloss_table.h
+#endif
+
 const float kPi = 3.14159265358979;
 
 // Sum over the bands, each with its factor.
@@ -34,18 +38,28 @@ vec3 blurred(vec3 r, float roughness) {
   return harmonics(r, 1.0, damping, squared * squared);
 }
 
-// Radiance from direction r. `sharp`: share that is seen sharply, in the camera's picture if there
-// is one. Pinhole camera looking along +z; beyond its edges, and for rays that never meet its
-// picture, the edge.
-vec3 reflected(vec3 r, float roughness, float sharp) {
-#if REFLECTION_MAP
-  vec2 tangent = r.xy / max(r.z, 1e-3);
-  vec3 seen = texture(reflection_map, 0.5 + tangent * reflection_scale).rgb;
-  return mix(blurred(r, roughness), seen, sharp);
+// The surroundings in the gloss of normal n: between two levels of the light probe's table, from
+// rough (`smoothness` 0) to smooth (1), or the harmonics from the mirrored direction r.
+vec3 surroundings(vec3 n, vec3 r, float smoothness, float roughness) {
+#if PROBE
+  float level = smoothness * float(GLOSS_LEVELS - 1);
+  float below = min(floor(level), float(GLOSS_LEVELS - 2));
+  vec2 at = 0.5 + 0.5 * n.xy;
+  return mix(texture(gloss_table, vec3(at, below)).rgb,
+             texture(gloss_table, vec3(at, below + 1.0)).rgb, level - below);
 #else
   return blurred(r, roughness);
 #endif
 }
+
+// What the camera saw in direction r. Pinhole camera looking along +z; beyond its edges, and for
+// rays that never meet its picture, the edge.
+#if REFLECTION_MAP
+vec3 in_camera(vec3 r) {
+  vec2 tangent = r.xy / max(r.z, 1e-3);
+  return texture(reflection_map, 0.5 + tangent * reflection_scale).rgb;
+}
+#endif
 
 float schlick(float cosine) {
   float c = 1.0 - cosine;

@@ -77,8 +77,9 @@ vec3 with_walls(float sky, vec3 albedo) {
 
 void light_up(inout Shaded s, vec3 point, Seen seen, float paint) {
   vec3 n = s.normal;
-  float gloss = mix(paint, 1.0, varnish), sharp = mix(s.wet, 1.0, varnish);
-  float roughness = mix(roughness_dry, roughness_wet, mix(smooth_share(s.depth), 1.0, varnish));
+  float gloss = mix(paint, 1.0, varnish);
+  float smoothness = mix(smooth_share(s.depth), 1.0, varnish);
+  float roughness = mix(roughness_dry, roughness_wet, smoothness);
   float F = gloss * schlick(n.z);
   vec3 light = ambient(n) * with_walls(seen.sky, s.albedo);
   s.specular = vec3(0.0);
@@ -93,7 +94,11 @@ void light_up(inout Shaded s, vec3 point, Seen seen, float paint) {
   s.diffuse = exposure * ((1.0 - F) * s.albedo * light);
   s.specular = exposure * (gloss * kPi * s.specular);
   vec3 mirrored = 2.0 * n.z * n - vec3(0.0, 0.0, 1.0);
-  s.reflection = exposure * (F * seen.sky * reflected(mirrored, roughness, sharp));
+  vec3 reflected = surroundings(n, mirrored, smoothness, roughness);
+#if REFLECTION_MAP
+  reflected = mix(reflected, in_camera(mirrored), mix(s.wet, 1.0, varnish));
+#endif
+  s.reflection = exposure * (F * seen.sky * reflected);
 }
 
 Shaded shaded_at(ivec2 sample_index) {

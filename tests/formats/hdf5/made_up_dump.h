@@ -49,6 +49,10 @@ inline Lighting made_up_lighting() {
     plane = Field<float>(13, 7);
     fill(plane, random, 2.0f);
   }
+  for (Field<float>& plane : light.probe) {
+    plane = Field<float>(12, 6);
+    fill(plane, random, 3.0f);
+  }
   light.roughness_wet = 0.21f;
   light.exposure_ev = -0.5f;
   return light;

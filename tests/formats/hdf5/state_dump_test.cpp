@@ -56,6 +56,7 @@ void expect_same_light(const Lighting& a, const Lighting& b) {
   EXPECT_EQ(a.reflection.fov_deg, b.reflection.fov_deg);
   EXPECT_EQ(a.reflection.mirror, b.reflection.mirror);
   for (std::size_t c = 0; c < 3; ++c) expect_same_bits(a.reflection.rgb[c], b.reflection.rgb[c]);
+  for (std::size_t c = 0; c < 3; ++c) expect_same_bits(a.probe[c], b.probe[c]);
   EXPECT_EQ(a.roughness_wet, b.roughness_wet);
   EXPECT_EQ(a.roughness_dry, b.roughness_dry);
   EXPECT_EQ(a.refractive_index, b.refractive_index);

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/optics/gloss_table.h"
 #include "core/optics/irradiance.h"
 #include "formats/image/read_image.h"
 #include "formats/image/resample.h"
+#include "tests/reference/gloss.h"
 
 namespace pentimento {
 namespace {
@@ -119,6 +121,31 @@ TEST_P(LightProbe, NineCoefficientsAreTheLowOrdersOfItsIrradiance) {
 // The method's error: what nine harmonics cannot hold.
 TEST_P(LightProbe, NineCoefficientsMissNoMoreThanAnyLightCan) {
   EXPECT_LT(mean_error(probe(GetParam())), largest_mean_error());
+}
+
+// What its gloss shows, against every pixel through the lobe.
+TEST_P(LightProbe, GlossIsTheMeanOverTheLobe) {
+  const Planes rgb = probe(GetParam());
+  for (const float a : {0.45f, 0.16f}) {
+    const GlossTable table =
+        make_gloss_table({rgb[0].view(), rgb[1].view(), rgb[2].view()}, {a, a, 1.48f}, Threads(2));
+    double error = 0, total = 0;
+    for (int j = 10; j < GlossTable::kSide; j += 11) {
+      for (int i = 10; i < GlossTable::kSide; i += 11) {
+        const double x = (2 * i + 1.0) / GlossTable::kSide - 1;
+        const double y = (2 * j + 1.0) / GlossTable::kSide - 1;
+        if (x * x + y * y > 0.9) continue;
+        const auto truth =
+            reference::mean_over_lobe(rgb, {x, y, std::sqrt(1 - x * x - y * y)},
+                                      static_cast<double>(a), static_cast<double>(1.48f));
+        const float found =
+            table.rgb[static_cast<std::size_t>(3 * (j * GlossTable::kSide + i) + 1)];
+        error += std::abs(static_cast<double>(found) - truth[1]);
+        total += truth[1];
+      }
+    }
+    EXPECT_LT(error / total, a > 0.3f ? 0.007 : 2e-6) << a;  // as in gloss_table_test.cpp
+  }
 }
 
 TEST(LightProbeTruncation, OfOnePointOfLightIsThatOfTheCosine) {

@@ -171,6 +171,11 @@ constexpr BadEvent kScene[] = {
      "a.jsonl:2: sh needs 9 triples of red, green and blue"},
     {R"({"t":0,"type":"environment","sh":[1,2,3,4,5,6,7,8,9]})",
      "a.jsonl:2: sh[0] 1 is not an array of three numbers"},
+    {R"({"t":0,"type":"environment","soft":true,"sh":[[1,1,1],[0,0,0],[0,0,0],[0,0,0],[0,0,0],)"
+     R"([0,0,0],[0,0,0],[0,0,0],[0,0,0]]})",
+     "a.jsonl:2: environment has both sh and soft"},
+    {R"({"t":0,"type":"environment","file":"a.exr","soft":1})",
+     "a.jsonl:2: soft 1 is not true or false"},
     {R"({"t":0,"type":"camera"})", "a.jsonl:2: file is missing"},
     {R"({"t":0,"type":"camera","file":"a.mp4","fov":180})",
      "a.jsonl:2: fov 180 is outside 1..179 degrees"},

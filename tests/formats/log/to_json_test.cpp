@@ -32,6 +32,7 @@ const std::vector<std::string> kEvents = {
     R"({"t":0.3,"type":"light","follow":"gravity"})",
     R"({"t":0.3,"type":"light","lamp":2,"position":[0.1,-0.2,1],"intensity":2.5})",
     R"({"t":0.3,"type":"environment","file":"probe.exr"})",
+    R"({"t":0.3,"type":"environment","file":"probe.exr","soft":true})",
     R"({"t":0.3,"type":"environment","sh":[[1,2,3],[0.1,0.2,0.3],[0,0,0],[0,0,0],[0,0,0],)"
     R"([0,0,0],[0,0,0],[0,0,0],[-1,-2,-3]]})",
     R"({"t":0.3,"type":"camera","file":"a.mp4","start":1.5,"fov":70,"mirror":false})",
