@@ -32,9 +32,11 @@ struct Model {
   float brush_push = 0.2f;  // alpha of the stamp displacement; `conservative`
 
   // The rest of `conservative`; docs/numerics.md has the reason of each number.
-  float layer_speed = 2.0f;         // layer k of n moves with this (k + 1/2)/n u; 1 is the paper's
-  float crowding_m_s2 = 200.0f;     // pressure of paint 20 % deeper than max_medium, per slope
-  float sleep_tile_m = 1.0f / 32;   // side of a tile that sleeps or wakes as a whole
+  float layer_speed = 2.0f;        // layer k of n moves with this (k + 1/2)/n u; 1 is the paper's
+  float crowding_m_s2 = 200.0f;    // pressure of paint 20 % deeper than max_medium, per slope
+  float sleep_tile_m = 1.0f / 32;  // side of a tile that sleeps or wakes as a whole
+  float front_depth_m = 0.0025f;   // films less deep at the edge do not wet bare canvas; 0 = all do
+  float front_reach_m = 0.004f;    // over which the depth at an edge is taken
   float wake_gravity_m_s2 = 0.05f;  // a change of gravity that wakes sleeping paint
   float most_cells_moved = 1.2f;    // faster paint makes a step of several parts...
   int most_parts_of_step = 8;       // ...but not of more than these

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstdint>
 
+#include "core/fluid/conservative/contact_line.h"
 #include "core/fluid/conservative/face_row.h"
 #include "core/fluid/conservative/force_row.h"
 #include "core/fluid/conservative/height_row.h"
@@ -98,6 +99,8 @@ void ConservativeScheme::part_of_step(CanvasState& state, const StepInput& in, i
   passed("rheology");
   for_runs(in.threads, tiles_->runs(), [&](const Run& r) { find_faces(state, in, r); });
   passed("faces");
+  hold_edges(state, in);
+  passed("edges");
   apply_viscosity(state, in);
   passed("viscosity");
   solve_height(state, in);
@@ -152,6 +155,20 @@ void ConservativeScheme::find_faces(const CanvasState& state, const StepInput& i
     close_faces_row(r.size(), faces_at(work_.y, r.x0, r.y));
   for_open_faces(*tiles_, Axis::kY, r, [&](int x, int n) {
     face_row(p, cells(x, r.y), cells(x, r.y + 1), n, faces_at(work_.y, x, r.y));
+  });
+}
+
+void ConservativeScheme::hold_edges(const CanvasState& state, const StepInput& in) {
+  if (!(in.model.front_depth_m > 0)) return;
+  const ContactLine line(in.model.front_depth_m, in.model.front_reach_m, state.geometry.dx_m(),
+                         state.geometry.dy_m());
+  for_runs(in.threads, tiles_->runs(), [&](const Run& r) {
+    for_open_faces(*tiles_, Axis::kX, r, [&](int x, int n) {
+      line.hold_row(state.depth_m, Axis::kX, x, r.y, n, work_.x.friction_frac.row(r.y) + x);
+    });
+    for_open_faces(*tiles_, Axis::kY, r, [&](int x, int n) {
+      line.hold_row(state.depth_m, Axis::kY, x, r.y, n, work_.y.friction_frac.row(r.y) + x);
+    });
   });
 }
 

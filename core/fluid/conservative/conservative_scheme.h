@@ -42,6 +42,7 @@ class ConservativeScheme : public FluidScheme {
   // On the run of a row:
   void find_rheology(const CanvasState& state, const StepInput& in, const Run& r);
   void find_faces(const CanvasState& state, const StepInput& in, const Run& r);
+  void hold_edges(const CanvasState& state, const StepInput& in);
   void apply_forces(const StepInput& in, const Run& r);
   void fill_height(const CanvasState& state, const StepInput& in, const Run& r);
   void fill_pressure(const CanvasState& state, const StepInput& in, const Run& r);

@@ -1,0 +1,114 @@
+#include "core/fluid/conservative/contact_line.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/core/fluid/conservative/basin.h"
+
+namespace pentimento::conservative {
+namespace {
+
+constexpr float kHeld = 0.0025f;  // e
+constexpr float kReach = 0.004f;
+constexpr float kCell = 0.001f;
+
+// What is left of a friction of 1 on the face between (x, y) and the cell below.
+float left_below(const Field<float>& depth_m, int x, int y) {
+  float friction = 1;
+  ContactLine(kHeld, kReach, kCell, kCell).hold_row(depth_m, Axis::kY, x, y, 1, &friction);
+  return friction;
+}
+
+// Film of `depth_m` in the upper half of 32 x 32 cells, 4 columns in the middle 4 cells longer
+// (`step` 4) or shorter (-4).
+Field<float> film(float depth_m, int step) {
+  Field<float> f(32, 32);
+  for (int y = 0; y < 32; ++y)
+    for (int x = 0; x < 32; ++x) {
+      const bool middle = x >= 14 && x < 18;
+      f(x, y) = y < 16 + (middle ? step : 0) ? depth_m : 0.0f;
+    }
+  return f;
+}
+
+TEST(ContactLine, HoldsAStraightEdgeUntilItIsDeepEnough) {
+  EXPECT_EQ(left_below(film(0.99f * kHeld, 0), 16, 15), 0);
+  // 1 - 1/4; the mean is a sum of 50 taps, each rounded to 6e-8 of it.
+  EXPECT_NEAR(left_below(film(2 * kHeld, 0), 16, 15), 0.75f, 3e-6f);
+  EXPECT_EQ(left_below(film(2 * kHeld, 0), 16, 14), 1) << "inside the film";
+  EXPECT_EQ(left_below(film(2 * kHeld, 0), 16, 20), 1) << "on bare canvas";
+}
+
+TEST(ContactLine, HoldsATipMoreAndANotchLess) {
+  const float straight = left_below(film(2 * kHeld, 0), 16, 15);
+  EXPECT_LT(left_below(film(2 * kHeld, 4), 16, 19), straight);
+  EXPECT_GT(left_below(film(2 * kHeld, -4), 16, 11), straight);
+}
+
+TEST(ContactLine, SeesTheSameOnFinerCells) {
+  Field<float> fine(64, 64);
+  for (int y = 0; y < 32; ++y)
+    for (int x = 0; x < 64; ++x) fine(x, y) = 1.5f * kHeld;
+  float friction = 1;
+  ContactLine(kHeld, kReach, kCell / 2, kCell / 2).hold_row(fine, Axis::kY, 32, 31, 1, &friction);
+  EXPECT_NEAR(friction, left_below(film(1.5f * kHeld, 0), 16, 15), 3e-6f);
+}
+
+TEST(ContactLine, CellsWiderThanTheReachStillSeeTheirOwn) {
+  Field<float> coarse(8, 8);
+  for (int x = 0; x < 8; ++x)
+    for (int y = 0; y < 4; ++y) coarse(x, y) = 2 * kHeld;
+  float friction = 1;
+  ContactLine(kHeld, kReach, 0.1f, 0.1f).hold_row(coarse, Axis::kY, 4, 3, 1, &friction);
+  EXPECT_FLOAT_EQ(friction, 0.75f);
+}
+
+TEST(ContactLine, LeavesAShallowPuddleAsItIs) {
+  Basin b({64, 64, 0.064, 0.064});
+  b.fill_depth([](int x, int y) { return x > 16 && x < 48 && y > 16 && y < 48 ? 0.002f : 0.0f; });
+  b.step();  // rounds to quanta
+  Basin same({64, 64, 0.064, 0.064});
+  for (int y = 0; y < 64; ++y)
+    for (int x = 0; x < 64; ++x) same.state.depth_m(x, y) = b.state.depth_m(x, y);
+  b.steps(20);
+  EXPECT_TRUE(same_bits(b.state.depth_m, same.state.depth_m));
+  EXPECT_EQ(b.scheme.awake_share(), 0);
+}
+
+TEST(ContactLine, BringsAPuddleToRestAtItsDepth) {
+  Basin b({96, 96, 0.096, 0.096});
+  b.fill_depth([](int x, int y) { return x > 32 && x < 64 && y > 32 && y < 64 ? 0.008f : 0.0f; });
+  b.steps(45 * 60);
+  EXPECT_EQ(b.scheme.awake_share(), 0) << "at rest within a minute";
+  int wet = 0;
+  for (int y = 0; y < 96; ++y)
+    for (int x = 0; x < 96; ++x) wet += b.state.depth_m(x, y) > 0.02f * kHeld ? 1 : 0;
+  const double mean = total(b.state.depth_m) / wet;
+  EXPECT_GT(mean, static_cast<double>(kHeld));
+  EXPECT_LT(mean, 1.5 * static_cast<double>(kHeld))
+      << "the rim is bent and the slowest paint stands";
+}
+
+TEST(ContactLine, AWashComesDownInDrips) {
+  // 30 mm of a wash, 2 mm deep give or take a tenth, on a canvas 75 degrees steep.
+  constexpr int kSide = 128;
+  Basin b({kSide, kSide, 0.128, 0.128});
+  b.model.friction_viscosity_floor_m2_s = 5e-4f;
+  b.fill_depth([](int x, int y) {
+    const float grain = static_cast<float>(x * 37 % 11) / 10 - 0.5f;
+    return y >= 10 && y < 40 ? 0.002f + 0.0004f * grain : 0.0f;
+  });
+  b.gravity_m_s2 = {0, -9.5f, 2.5f};
+  b.steps(200);
+  int drips = 0, wet = 0;
+  for (int x = 1; x < kSide; ++x) {
+    const bool here = b.state.depth_m(x, 70) > 0;
+    wet += here ? 1 : 0;
+    drips += here && !(b.state.depth_m(x - 1, 70) > 0) ? 1 : 0;
+  }
+  EXPECT_GE(drips, 3);
+  EXPECT_GE(wet, 3 * drips) << "none is a thread of a cell or two";
+  EXPECT_LE(wet, kSide / 2) << "bare canvas between them";
+}
+
+}  // namespace
+}  // namespace pentimento::conservative
