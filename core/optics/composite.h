@@ -1,7 +1,7 @@
 #pragma once
 // Wet paint over what is dry, as one reflectance per band: what drying leaves on the canvas (R20,
-// R31). It reaches the state, so: float, fixed order, no C library functions. The GLSL shader
-// computes the same for pictures.
+// R31). It reaches the state, so: float, fixed order, no C library functions. For pictures
+// shading/albedo_row.h computes the same, faster.
 
 #include <Eigen/Core>
 #include <span>

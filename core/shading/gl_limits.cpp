@@ -5,13 +5,6 @@
 namespace pentimento {
 namespace {
 
-constexpr int kOtherUniforms = 128;  // floats of light, relief and the rest, with room to spare
-
-/// Floats that K, S, shares and colours of bands take; vectors of three count as four.
-int uniform_floats(const ShadeVariant& v) {
-  return v.channels * v.band_texels() * 8 + v.channels * 4 + v.band_texels() * 16 + kOtherUniforms;
-}
-
 Result<void> check(const GlFunctions& gl, GLenum limit, int needed, const std::string& what) {
   GLint most = 0;
   gl.GetIntegerv(limit, &most);
@@ -23,14 +16,8 @@ Result<void> check(const GlFunctions& gl, GLenum limit, int needed, const std::s
 }  // namespace
 
 Result<void> check_gl_limits(const GlFunctions& gl, const ShadeVariant& v) {
-  const std::string paint =
-      fmt::format("a canvas of {} layers, {} channels and {} bands", v.layers, v.channels, v.bands);
-  if (auto fits = check(gl, GL_MAX_FRAGMENT_UNIFORM_COMPONENTS, uniform_floats(v),
-                        paint + " needs many uniforms");
-      !fits)
-    return fits;
-  if (auto fits = check(gl, GL_MAX_ARRAY_TEXTURE_LAYERS, v.layers * v.planes(),
-                        paint + " needs many texture layers");
+  if (auto fits = check(gl, GL_MAX_ARRAY_TEXTURE_LAYERS, v.amount_planes(),
+                        fmt::format("AOVs of {} channels need many texture layers", v.channels));
       !fits)
     return fits;
   return check(gl, GL_MAX_DRAW_BUFFERS, v.targets,

@@ -6,9 +6,8 @@
 
 namespace pentimento {
 
-/// Error kLimit, with what is too much, how much, and how much there may be: channels times bands
-/// (uniforms), layers times channels (texture layers), groups of AOVs (targets). The context is
-/// current.
+/// Error kLimit, with what is too much, how much, and how much there may be: channels drawn
+/// (texture layers), groups of AOVs (targets). The context is current.
 Result<void> check_gl_limits(const GlFunctions& gl, const ShadeVariant& variant);
 
 }  // namespace pentimento

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 
 #include "core/fluid/conservative/kernel.h"
 
@@ -97,6 +98,78 @@ Beside beside(const LampLine& line, float step, std::ptrdiff_t stride) {
       static_cast<std::ptrdiff_t>(before_x) + static_cast<std::ptrdiff_t>(before_y) * stride;
   return {first, first + (line.across ? stride : 1), line.across ? y - before_y : x - before_x};
 }
+
+/// The lines of a chunk of cells to a near lamp, as LampLine has them.
+struct NearLines {
+  Chunk step_x, step_y, per_m, elevation;
+  std::array<std::int32_t, kChunk> beside;  // from the first cell beside the line to the second
+  Chunk open;                               // 1 where nothing can hide it, else 0
+};
+
+/// `up_m`: how far the lamp is above the row, in the picture's plane; `column`: of the first cell.
+PENTIMENTO_KERNEL
+void aim(const HeightRows& rows, const NearLamp& lamp, int column, float up_m, std::size_t n,
+         NearLines& out) {
+  const float lamp_x = lamp.position_m[0] + lamp.half_m[0], lamp_z = lamp.position_m[2];
+  const float dx = rows.dx_m, dy = rows.dy_m, per_relief = lamp.per_relief;
+  const float y = -up_m / dy, across_y = std::abs(y);
+  const auto stride = static_cast<std::int32_t>(rows.stride);
+  const float* h = rows.cell;
+  float *step_x = out.step_x.data(), *step_y = out.step_y.data(), *per_m = out.per_m.data();
+  float *elevation = out.elevation.data(), *open = out.open.data();
+  std::int32_t* beside = out.beside.data();
+  PENTIMENTO_INDEPENDENT
+  for (std::size_t i = 0; i < n; ++i) {
+    const float to_x = lamp_x - (static_cast<float>(column + static_cast<int>(i)) + 0.5f) * dx;
+    const float to_z = lamp_z - h[i] * per_relief;
+    const float x = to_x / dx, across_x = std::abs(x);
+    const float longer = std::max(std::max(across_x, across_y), 1e-30f);
+    step_x[i] = x / longer;
+    step_y[i] = y / longer;
+    const float run_x = step_x[i] * dx, run_y = step_y[i] * dy;
+    per_m[i] = 1 / std::sqrt(std::max(run_x * run_x + run_y * run_y, 1e-30f));
+    const float level = std::sqrt(to_x * to_x + up_m * up_m);
+    elevation[i] = to_z / std::max(level, 1e-30f);
+    open[i] = std::max(to_z <= 0 ? 1.0f : 0.0f, level < 1e-3f * to_z ? 1.0f : 0.0f);
+    beside[i] = across_x >= across_y ? stride : 1;
+  }
+}
+
+/// rise = max(rise, (between the two cells beside the line at `step` - here) / distance)
+PENTIMENTO_KERNEL
+void raise_towards(const HeightRows& rows, const NearLines& lines, float step, std::size_t n,
+                   float* rise) {
+  const float per_step = 1 / step;
+  const auto stride = static_cast<std::int32_t>(rows.stride);
+  const float* h = rows.cell;
+  const float *step_x = lines.step_x.data(), *step_y = lines.step_y.data();
+  const float* per_m = lines.per_m.data();
+  const std::int32_t* beside = lines.beside.data();
+  PENTIMENTO_INDEPENDENT
+  for (std::size_t i = 0; i < n; ++i) {
+    const float x = step_x[i] * step, y = step_y[i] * step;
+    // Downwards: the cast cuts towards zero.
+    const auto cut_x = static_cast<std::int32_t>(x), cut_y = static_cast<std::int32_t>(y);
+    const std::int32_t left = cut_x - (x < static_cast<float>(cut_x) ? 1 : 0);
+    const std::int32_t above = cut_y - (y < static_cast<float>(cut_y) ? 1 : 0);
+    const float right_of = x - static_cast<float>(left), below = y - static_cast<float>(above);
+    const float share = beside[i] == 1 ? right_of : below;
+    const std::int32_t first = static_cast<std::int32_t>(i) + left + above * stride;
+    const float height = h[first] * (1 - share) + h[first + beside[i]] * share;
+    const float r = (height - h[i]) * (per_m[i] * per_step);
+    rise[i] = r > rise[i] ? r : rise[i];
+  }
+}
+
+PENTIMENTO_KERNEL
+void share_of_near(const NearLines& lines, const float* rise, std::size_t n, float* seen) {
+  const float *elevation = lines.elevation.data(), *open = lines.open.data();
+  PENTIMENTO_INDEPENDENT
+  for (std::size_t i = 0; i < n; ++i) {
+    const float share = 0.5f + 0.5f / kLampSize * (elevation[i] - rise[i]);
+    seen[i] = std::max(std::max(std::min(share, 1.0f), 0.0f), open[i]);
+  }
+}
 }  // namespace
 
 void sky_seen_row(const HeightRows& rows, const HorizonLines& lines, std::span<float> seen) {
@@ -142,23 +215,16 @@ void lamp_seen_row(const HeightRows& rows, const HorizonLines& lines,
 
 void near_lamp_seen_row(const HeightRows& rows, const HorizonLines& lines, const NearLamp& lamp,
                         std::span<float> seen) {
-  const auto& [lamp_x, lamp_y, lamp_z] = lamp.position_m;
   const float down = (static_cast<float>(lamp.row) + 0.5f) * rows.dy_m - lamp.half_m[1];
-  for (std::size_t x = 0; x < seen.size(); ++x) {
-    const float* here = rows.cell + x;
-    const float column = static_cast<float>(lamp.column + static_cast<int>(x));
-    const float right = (column + 0.5f) * rows.dx_m - lamp.half_m[0];
-    const std::array<float, 3> to = {lamp_x - right, lamp_y + down,
-                                     lamp_z - *here * lamp.per_relief};
-    const LampLine line = line_to(to, rows.dx_m, rows.dy_m);
-    float rise = 0;
-    for (std::size_t i = 0; !line.hidden_by_nothing && i < lines.shadow.size(); ++i) {
-      const float step = lines.shadow[i];
-      const Beside at = beside(line, step, rows.stride);
-      const float h = here[at.first] * (1 - at.share) + here[at.second] * at.share;
-      rise = std::max(rise, (h - *here) / (step * line.length_m));
-    }
-    seen[x] = line.hidden_by_nothing ? 1.0f : share_seen(line.elevation, rise);
+  NearLines near;
+  Chunk rise;
+  for (std::size_t x0 = 0; x0 < seen.size(); x0 += kChunk) {
+    const std::size_t n = std::min(kChunk, seen.size() - x0);
+    const HeightRows here = {rows.cell + x0, rows.stride, rows.dx_m, rows.dy_m};
+    aim(here, lamp, lamp.column + static_cast<int>(x0), lamp.position_m[1] + down, n, near);
+    std::fill_n(rise.data(), n, 0.0f);
+    for (const float step : lines.shadow) raise_towards(here, near, step, n, rise.data());
+    share_of_near(near, rise.data(), n, seen.data() + x0);
   }
 }
 

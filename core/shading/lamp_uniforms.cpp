@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
+
+#include "core/optics/microfacet.h"
 
 namespace pentimento {
 
@@ -15,11 +18,19 @@ std::vector<Lamp> shining(const Lighting& lighting) {
 
 void set_lamp_uniforms(const GlProgram& program, const CanvasGeometry& grid,
                        const Lighting& lighting) {
-  std::vector<std::array<float, 3>> place, radiance;
+  std::vector<std::array<float, 3>> place, radiance, facets;
+  std::vector<std::array<float, 2>> mirror;
+  const double index = static_cast<double>(lighting.refractive_index);
   std::vector<float> range2;
   for (const Lamp& lamp : shining(lighting)) {
     place.push_back(lamp.position_m.value_or(lamp.direction));
     const auto [x, y, z] = place.back();
+    const double size = std::sqrt(x * x + y * y + (z + 1.0) * (z + 1.0));
+    const bool behind = size < 1e-3;
+    const auto unit = [&](double v) { return behind ? 0.0f : static_cast<float>(v / size); };
+    facets.push_back({unit(x), unit(y), unit(z + 1.0)});
+    mirror.push_back({behind ? 1.0f : static_cast<float>(2 / size),
+                      behind ? 0.0f : static_cast<float>(fresnel(std::min(size / 2, 1.0), index))});
     range2.push_back(lamp.position_m ? x * x + y * y + z * z : 0);
     radiance.push_back({lamp.intensity * lamp.color[0], lamp.intensity * lamp.color[1],
                         lamp.intensity * lamp.color[2]});
@@ -29,6 +40,8 @@ void set_lamp_uniforms(const GlProgram& program, const CanvasGeometry& grid,
     program.set_vec3("lamp_place", place[0].data(), n);
     program.set_vec3("lamp_radiance", radiance[0].data(), n);
     program.set_floats("lamp_range2", range2.data(), n);
+    program.set_vec3("lamp_facets", facets[0].data(), n);
+    program.set_vec2("lamp_mirror", mirror[0].data(), n);
   }
   const std::array<float, 2> cell = {grid.dx_m(), grid.dy_m()};
   const std::array<float, 2> half = {static_cast<float>(grid.width_m / 2),

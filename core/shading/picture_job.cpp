@@ -17,42 +17,37 @@ TileRun crop_run(int first, int count, int whole) {
 /// The textures of a tile's part of the canvas, as large as the largest tile needs.
 class TileTextures {
  public:
-  TileTextures(const GlFunctions& gl, const PictureLayout& layout)
-      : width_(layout.x.most_cells(layout.tiles.width)),
+  TileTextures(const GlFunctions& gl, const PictureLayout& layout, const ShadeScene& scene,
+               const Threads& threads)
+      : canvas_(scene.canvas),
+        threads_(threads),
+        optics_(make_albedo_optics(scene.basis, scene.model)),
+        width_(layout.x.most_cells(layout.tiles.width)),
         height_(layout.y.most_cells(layout.tiles.height)),
         border_(layout.border),
         columns_(gl, TexelFormat::kRg, layout.tiles.width * layout.x.per_pixel, 1),
         rows_(gl, TexelFormat::kRg, layout.tiles.height * layout.y.per_pixel, 1),
         ground_(gl, TexelFormat::kRgba, width_, height_),
         relief_(gl, TexelFormat::kRg, width_ + 2 * border_, height_ + 2 * border_),
-        amounts_(gl, TexelFormat::kRgba, width_, height_,
-                 layout.variant.layers * layout.variant.planes()) {
-    if (layout.variant.spectral)
-      dry_.emplace(gl, TexelFormat::kRgba, width_, height_, layout.variant.band_texels());
+        amount_planes_(layout.variant.amount_planes()) {
+    if (amount_planes_ > 0)
+      amounts_.emplace(gl, TexelFormat::kRgba, width_, height_, amount_planes_);
   }
 
   /// Gives the window that was uploaded, without the relief's border.
-  CellWindow upload(const CanvasSource& canvas, const ShadeVariant& variant, const AxisWindow& x,
-                    const AxisWindow& y) {
+  CellWindow upload(const AxisWindow& x, const AxisWindow& y) {
     columns_.upload(static_cast<int>(x.table.size() / 2), 1, x.table.data());
     rows_.upload(static_cast<int>(y.table.size() / 2), 1, y.table.data());
     const CellWindow window{x.first_cell, y.first_cell, x.cells, y.cells};
-    pack_ground(canvas, window, texels_);
+    pack_ground(canvas_, optics_, window, threads_, texels_);
     ground_.upload(window.width, window.height, texels_.data());
-    for (int texel = 0; dry_ && texel < variant.band_texels(); ++texel) {
-      pack_bands(canvas, texel, window, texels_);
-      dry_->upload(window.width, window.height, texels_.data(), texel);
-    }
     const CellWindow wider{window.x - border_, window.y - border_, window.width + 2 * border_,
                            window.height + 2 * border_};
-    pack_relief(canvas, wider, relief_texels_);
+    pack_relief(canvas_, wider, threads_, relief_texels_);
     relief_.upload(wider.width, wider.height, relief_texels_.data());
-    for (int layer = 0; layer < variant.layers; ++layer) {
-      for (int plane = 0; plane < variant.planes(); ++plane) {
-        pack_amounts(canvas, layer, plane, window, texels_);
-        amounts_.upload(window.width, window.height, texels_.data(),
-                        layer * variant.planes() + plane);
-      }
+    for (int plane = 0; plane < amount_planes_; ++plane) {
+      pack_amounts(canvas_, plane, window, threads_, texels_);
+      amounts_->upload(window.width, window.height, texels_.data(), plane);
     }
     return window;
   }
@@ -65,16 +60,19 @@ class TileTextures {
     rows_.bind(kRows);
     ground_.bind(kGround);
     relief_.bind(kRelief);
-    amounts_.bind(kAmounts);
-    if (dry_) dry_->bind(kDry);
+    if (amounts_) amounts_->bind(kAmounts);
   }
 
  private:
+  const CanvasSource& canvas_;
+  const Threads& threads_;
+  AlbedoOptics optics_;
   int width_;
   int height_;
   int border_;
-  GlTexture columns_, rows_, ground_, relief_, amounts_;
-  std::optional<GlTexture> dry_;  // bands of a spectral canvas
+  GlTexture columns_, rows_, ground_, relief_;
+  int amount_planes_;
+  std::optional<GlTexture> amounts_;  // for the pigments' AOVs
   std::vector<float> texels_, relief_texels_;
 };
 
@@ -183,25 +181,19 @@ PictureLayout lay_out(const ShadeScene& scene, const ShadeRequest& request,
   out.x = {grid.width, request.width, samples};
   out.y = {grid.height, request.height, samples};
   ShadeVariant& variant = out.variant;
-  variant.layers = scene.canvas.layers();
   variant.channels = std::max(scene.canvas.channels(), 1);
   variant.samples_per_pixel = samples;
   variant.interpolate = !out.x.on_cells() || !out.y.on_cells();
-  variant.bands = scene.canvas.bands();
-  variant.spectral = !scene.basis.wavelength_nm.empty();
-  variant.interface = scene.model.saunderson_k1 != 0 || scene.model.saunderson_k2 != 0;
-  variant.by_depth = scene.model.optical_thickness == OpticalThickness::kDepth;
   variant.reflection_map = !scene.lighting.reflection.rgb[0].empty();
   variant.probe = !scene.lighting.probe[0].empty();
   variant.lamps = static_cast<int>(shining(scene.lighting).size());
   variant.occlusion = scene.lighting.occlusion > 0;
   if (variant.occlusion) out.border = horizon_border(grid);
   assign_targets(planes, variant);
-  out.tiles = plan_tiles(
-      {out.x, out.y, crop_run(request.crop_x, request.crop_width, request.width),
-       crop_run(request.crop_y, request.crop_height, request.height), request.tile,
-       variant.layers * variant.planes() + (variant.spectral ? variant.band_texels() : 0),
-       variant.targets, static_cast<int>(planes.size())});
+  out.tiles = plan_tiles({out.x, out.y, crop_run(request.crop_x, request.crop_width, request.width),
+                          crop_run(request.crop_y, request.crop_height, request.height),
+                          request.tile, 1 + variant.amount_planes(), out.border, variant.targets,
+                          static_cast<int>(planes.size())});
   return out;
 }
 
@@ -213,7 +205,7 @@ Result<void> shade_picture(const ShadeTools& tools, const ShadeScene& scene,
   const auto out_of_memory = [] {
     return Error{ErrorCode::kLimit, "OpenGL has no memory for a tile; try a smaller one"};
   };
-  TileTextures textures(gl, layout);
+  TileTextures textures(gl, layout, scene, tools.threads);
   GlTargets targets(gl, tiles.width, tiles.height, layout.variant.targets);
   const std::optional<GlTexture> reflection = reflection_texture(gl, scene.lighting.reflection);
   const std::optional<GlTexture> gloss = gloss_texture(gl, tools.gloss);
@@ -221,8 +213,7 @@ Result<void> shade_picture(const ShadeTools& tools, const ShadeScene& scene,
   if (layout.variant.occlusion) horizon.emplace(gl, scene, layout, tools.threads);
   if (!targets.complete() || gl.GetError() != GL_NO_ERROR) return out_of_memory();
   tools.program.use();
-  set_shade_uniforms(tools.program, {scene.basis, scene.model, scene.lighting,
-                                     scene.canvas.geometry(), layout.border});
+  set_shade_uniforms(tools.program, {scene.lighting, scene.canvas.geometry(), layout.border});
 
   const int left = tiles.columns.front().first, top = tiles.rows.front().first;
   const int width = tiles.columns.back().first + tiles.columns.back().count - left;
@@ -232,8 +223,8 @@ Result<void> shade_picture(const ShadeTools& tools, const ShadeScene& scene,
   for (const TileRun& row : tiles.rows) {
     const AxisWindow y = axis_window(layout.y, row.first, row.count);
     for (const TileRun& column : tiles.columns) {
-      const CellWindow window = textures.upload(
-          scene.canvas, layout.variant, axis_window(layout.x, column.first, column.count), y);
+      const CellWindow window =
+          textures.upload(axis_window(layout.x, column.first, column.count), y);
       if (horizon) horizon->upload(textures.relief_texels(), window);
       // Uploading binds to whichever unit is active, so all is bound only now.
       textures.bind();

@@ -2,10 +2,8 @@
 
 #include <cmath>
 
-#include "core/optics/composite.h"
 #include "core/optics/gloss_table.h"
 #include "core/optics/microfacet.h"
-#include "core/optics/spectral/band_weights.h"
 #include "core/optics/tone.h"
 #include "core/shading/lamp_uniforms.h"
 #include "core/shading/shader_source.h"
@@ -20,35 +18,6 @@ constexpr int kPigmentKind = static_cast<int>(TargetKind::kPigment);
 
 std::string define(const char* name, int value) {
   return std::string("#define ") + name + " " + std::to_string(value) + "\n";
-}
-
-/// K and S of every channel, and the RGB of every band, four bands a texel.
-void set_bands(const GlProgram& program, const ShadeParameters& p, const CompositeOptics& optics) {
-  const Eigen::Index n = optics.K.cols(), bands = optics.K.rows(), texels = (bands + 3) / 4;
-  Eigen::MatrixXf K = Eigen::MatrixXf::Zero(4 * texels, n), S = K;
-  K.topRows(bands) = optics.K;
-  S.topRows(bands) = optics.S;
-  program.set_vec4("absorption", K.data(), static_cast<int>(texels * n));
-  program.set_vec4("scattering", S.data(), static_cast<int>(texels * n));
-  Eigen::Matrix3Xf rgb = Eigen::Matrix3Xf::Zero(3, 4 * texels);
-  rgb.leftCols(bands) = band_rgb_weights(p.basis.wavelength_nm, p.model.viewing()).cast<float>();
-  program.set_vec3("band_color", rgb.data(), static_cast<int>(4 * texels));
-}
-
-void set_paint(const GlProgram& program, const ShadeParameters& p) {
-  const CompositeOptics optics = make_composite_optics(p.basis, p.model);
-  const int n = p.basis.channels();
-  if (p.basis.wavelength_nm.empty()) {
-    // Eigen's columns are a channel's three bands one after the other, as GLSL wants them.
-    program.set_vec3("absorption", optics.K.data(), n);
-    program.set_vec3("scattering", optics.S.data(), n);
-  } else {
-    set_bands(program, p, optics);
-  }
-  const std::array<float, 2> interface = {p.model.saunderson_k1, p.model.saunderson_k2};
-  program.set_vec2("saunderson", interface.data());
-  program.set_floats("share", optics.amount.data(), n);
-  program.set("per_reference", optics.per_reference);
 }
 
 void set_light(const GlProgram& program, const Lighting& light) {
@@ -81,14 +50,10 @@ void set_reflection(const GlProgram& program, const ReflectionMap& map) {
 }  // namespace
 
 std::string ShadeVariant::defines() const {
-  std::string text = define("LAYERS", layers) + define("CHANNELS", channels) +
-                     define("PLANES", planes()) + define("SUPERSAMPLE", samples_per_pixel) +
-                     define("INTERPOLATE", interpolate) + define("BY_DEPTH", by_depth) +
-                     define("REFLECTION_MAP", reflection_map) + define("SPECTRAL", spectral) +
-                     define("BAND_TEXELS", band_texels()) + define("INTERFACE", interface) +
+  std::string text = define("PLANES", planes()) + define("SUPERSAMPLE", samples_per_pixel) +
+                     define("INTERPOLATE", interpolate) + define("REFLECTION_MAP", reflection_map) +
                      define("PROBE", probe) + define("GLOSS_LEVELS", GlossTable::kLevels) +
-                     define("LAMPS", lamps) + define("OCCLUSION_PLANES", occlusion_planes()) +
-                     "#define EMPTY_AMOUNT " + std::to_string(kEmptyLayerAmount * 1e7f) + "e-7\n";
+                     define("LAMPS", lamps) + define("OCCLUSION_PLANES", occlusion_planes());
   for (std::size_t i = 1; i < target.size(); ++i) {
     if (target[i] >= 0) text += define(kTargetDefine[i], target[i]);
   }
@@ -109,8 +74,7 @@ void assign_targets(const std::vector<PlaneSource>& planes, ShadeVariant& varian
 
 Result<GlProgram> link_shade_program(const GlFunctions& gl, const ShadeVariant& variant) {
   std::string fragment = kGlslVersion + variant.defines();
-  for (const char* file :
-       {"surface.glsl", "paint.glsl", "lamps.glsl", "light.glsl", "shade.frag.glsl"}) {
+  for (const char* file : {"surface.glsl", "lamps.glsl", "light.glsl", "shade.frag.glsl"}) {
     fragment += shader_source(file);
   }
   return GlProgram::link(gl, kGlslVersion + std::string(shader_source("triangle.vert.glsl")),
@@ -118,22 +82,17 @@ Result<GlProgram> link_shade_program(const GlFunctions& gl, const ShadeVariant& 
 }
 
 void set_shade_uniforms(const GlProgram& program, const ShadeParameters& p) {
-  const std::pair<const char*, ShadeUnit> samplers[] = {{"columns", kColumns},
-                                                        {"rows", kRows},
-                                                        {"ground", kGround},
-                                                        {"relief", kRelief},
-                                                        {"amounts", kAmounts},
-                                                        {"reflection_map", kReflectionMap},
-                                                        {"seen_first", kSeenFirst},
-                                                        {"seen_second", kSeenSecond},
-                                                        {"dry", kDry},
-                                                        {"gloss_table", kGloss}};
+  const std::pair<const char*, ShadeUnit> samplers[] = {
+      {"columns", kColumns},      {"rows", kRows},
+      {"ground", kGround},        {"relief", kRelief},
+      {"amounts", kAmounts},      {"reflection_map", kReflectionMap},
+      {"seen_first", kSeenFirst}, {"seen_second", kSeenSecond},
+      {"gloss_table", kGloss}};
   for (const auto& [name, unit] : samplers) program.set(name, static_cast<int>(unit));
   const std::array<float, 2> relief_per_cell = {p.lighting.relief_scale / p.grid.dx_m(),
                                                 p.lighting.relief_scale / p.grid.dy_m()};
   program.set_vec2("relief_per_cell", relief_per_cell.data());
   program.set("relief_border", p.relief_border);
-  set_paint(program, p);
   set_lamp_uniforms(program, p.grid, p.lighting);
   set_light(program, p.lighting);
   set_reflection(program, p.lighting.reflection);

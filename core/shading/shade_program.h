@@ -6,8 +6,6 @@
 #include <string>
 
 #include "core/canvas_state.h"
-#include "core/model.h"
-#include "core/optics/channels.h"
 #include "core/optics/lighting.h"
 #include "core/shading/aov.h"
 #include "core/shading/gl/objects.h"
@@ -17,14 +15,9 @@ namespace pentimento {
 
 /// What the program is compiled for. Equal variants share a program.
 struct ShadeVariant {
-  int layers = 1;
   int channels = 1;
-  int bands = 3;
-  bool spectral = false;   // bands are wavelengths, turned into RGB by a matrix
-  bool interface = false;  // Saunderson's correction
   int samples_per_pixel = 1;
   bool interpolate = false;
-  bool by_depth = false;
   bool reflection_map = false;
   bool probe = false;  // the gloss shows a light probe
   int lamps = 1;       // that shine
@@ -35,10 +28,10 @@ struct ShadeVariant {
 
   /// RGBA texels of what the relief leaves of sky and lamps.
   int occlusion_planes() const { return occlusion ? horizon_planes(lamps) : 0; }
-  /// RGBA texels of one layer's channels.
+  /// RGBA texels of the channels.
   int planes() const { return (channels + 3) / 4; }
-  /// RGBA texels of the bands.
-  int band_texels() const { return spectral ? (bands + 3) / 4 : 1; }
+  /// Of them, those that are uploaded: all if pigments are drawn, else none.
+  int amount_planes() const { return target.back() < 0 ? 0 : planes(); }
   bool operator<(const ShadeVariant& other) const { return defines() < other.defines(); }
   std::string defines() const;
 };
@@ -54,7 +47,6 @@ enum ShadeUnit {
   kRelief,
   kAmounts,
   kReflectionMap,
-  kDry,
   kSeenFirst,
   kSeenSecond,
   kGloss
@@ -66,8 +58,6 @@ Result<GlProgram> link_shade_program(const GlFunctions& gl, const ShadeVariant& 
 
 /// What the uniforms of a state's picture are set from.
 struct ShadeParameters {
-  const ChannelBasis& basis;
-  const Model& model;
   const Lighting& lighting;
   const CanvasGeometry& grid;
   int relief_border = 0;  // cells

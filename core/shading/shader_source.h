@@ -5,7 +5,7 @@
 
 namespace pentimento {
 
-/// Text of the file called `file` ("paint.glsl"); empty if there is none.
+/// Text of the file called `file` ("light.glsl"); empty if there is none.
 std::string_view shader_source(std::string_view file);
 
 }  // namespace pentimento

@@ -1,8 +1,6 @@
 #include "core/shading/state_window.h"
 
 #include <algorithm>
-#include <array>
-#include <optional>
 
 namespace pentimento {
 namespace {
@@ -49,73 +47,95 @@ std::size_t cells(const CellWindow& window) {
   return static_cast<std::size_t>(window.width) * static_cast<std::size_t>(window.height);
 }
 
-/// Four planes, value by value; nothing stands for a plane of zeros.
-void interleave(const CanvasSource& canvas, const std::array<std::optional<PlaneId>, 4>& planes,
-                const CellWindow& window, std::vector<float>& texels) {
-  const WindowRows rows(canvas, window);
-  texels.resize(4 * cells(window));
-  std::array<std::vector<float>, 4> row;
-  for (std::vector<float>& r : row) r.assign(static_cast<std::size_t>(window.width), 0.0f);
-  float* out = texels.data();
-  for (int j = 0; j < window.height; ++j) {
-    for (std::size_t p = 0; p < 4; ++p) {
-      if (planes[p]) rows.read(*planes[p], j, row[p]);
+/// Rows that one thread packs with the same buffers.
+constexpr int kGrain = 8;
+
+/// The planes that a row's colour follows from.
+class ColourRows {
+ public:
+  ColourRows(const CanvasSource& canvas, const CellWindow& window, bool has_paint)
+      : rows_(canvas, window) {
+    for (int b = 0; b < canvas.bands(); ++b) planes_.push_back(reflectance_plane(b));
+    bands_ = planes_.size();
+    for (int k = 0; has_paint && k < canvas.layers(); ++k) {
+      for (int c = 0; c < canvas.channels(); ++c) planes_.push_back(pigment_plane(k, c));
     }
-    const float *a = row[0].data(), *b = row[1].data(), *c = row[2].data(), *d = row[3].data();
-    for (int i = 0; i < window.width; ++i, out += 4) {
-      out[0] = a[i];
-      out[1] = b[i];
-      out[2] = c[i];
-      out[3] = d[i];
-    }
+    values_.resize(planes_.size());
   }
-}
+
+  AlbedoCells read(int j) {
+    rows_.read({PlaneKind::kDepth}, j, depth_);
+    AlbedoCells out;
+    out.depth_m = depth_;
+    for (std::size_t p = 0; p < planes_.size(); ++p) {
+      rows_.read(planes_[p], j, values_[p]);
+      (p < bands_ ? out.dry : out.amount).push_back(values_[p].data());
+    }
+    return out;
+  }
+
+ private:
+  WindowRows rows_;
+  std::vector<PlaneId> planes_;
+  std::size_t bands_ = 0;
+  std::vector<float> depth_;
+  std::vector<std::vector<float>> values_;
+};
 
 }  // namespace
 
-void pack_ground(const CanvasSource& canvas, const CellWindow& window, std::vector<float>& texels) {
-  interleave(canvas,
-             {reflectance_plane(0), reflectance_plane(1), reflectance_plane(2),
-              PlaneId{PlaneKind::kDepth}},
-             window, texels);
+void pack_ground(const CanvasSource& canvas, const AlbedoOptics& optics, const CellWindow& window,
+                 const Threads& threads, std::vector<float>& texels) {
+  texels.resize(4 * cells(window));
+  const bool has_paint = !canvas.empty(WindowRows(canvas, window).on_grid());
+  const auto row = 4 * static_cast<std::size_t>(window.width);
+  threads.for_ranges(0, window.height, kGrain, [&](int begin, int end) {
+    ColourRows rows(canvas, window, has_paint);
+    for (int j = begin; j < end; ++j)
+      albedo_row(optics, rows.read(j), {texels.data() + row * static_cast<std::size_t>(j), row});
+  });
 }
 
-void pack_bands(const CanvasSource& canvas, int texel, const CellWindow& window,
-                std::vector<float>& texels) {
-  std::array<std::optional<PlaneId>, 4> planes{};
-  for (int b = 0; b < 4 && 4 * texel + b < canvas.bands(); ++b) {
-    planes[static_cast<std::size_t>(b)] = reflectance_plane(4 * texel + b);
-  }
-  interleave(canvas, planes, window, texels);
-}
-
-void pack_relief(const CanvasSource& canvas, const CellWindow& window, std::vector<float>& texels) {
+void pack_relief(const CanvasSource& canvas, const CellWindow& window, const Threads& threads,
+                 std::vector<float>& texels) {
   const WindowRows rows(canvas, window);
   texels.resize(2 * cells(window));
-  std::vector<float> base, depth, paper;
-  float* out = texels.data();
-  for (int j = 0; j < window.height; ++j) {
-    rows.read({PlaneKind::kBase}, j, base);
-    rows.read({PlaneKind::kDepth}, j, depth);
-    rows.read({PlaneKind::kPaper}, j, paper);
-    for (std::size_t i = 0; i < base.size(); ++i, out += 2) {
-      out[0] = base[i] + depth[i];
-      out[1] = out[0] - paper[i];
+  threads.for_ranges(0, window.height, kGrain, [&](int begin, int end) {
+    std::vector<float> base, depth, paper;
+    float* out = texels.data() +
+                 2 * static_cast<std::size_t>(window.width) * static_cast<std::size_t>(begin);
+    for (int j = begin; j < end; ++j) {
+      rows.read({PlaneKind::kBase}, j, base);
+      rows.read({PlaneKind::kDepth}, j, depth);
+      rows.read({PlaneKind::kPaper}, j, paper);
+      for (std::size_t i = 0; i < base.size(); ++i, out += 2) {
+        out[0] = base[i] + depth[i];
+        out[1] = out[0] - paper[i];
+      }
     }
-  }
+  });
 }
 
-void pack_amounts(const CanvasSource& canvas, int layer, int plane, const CellWindow& window,
-                  std::vector<float>& texels) {
-  if (canvas.empty(WindowRows(canvas, window).on_grid())) {
-    texels.assign(4 * cells(window), 0.0f);
-    return;
-  }
-  std::array<std::optional<PlaneId>, 4> planes{};
-  for (int c = 0; c < 4 && 4 * plane + c < canvas.channels(); ++c) {
-    planes[static_cast<std::size_t>(c)] = pigment_plane(layer, 4 * plane + c);
-  }
-  interleave(canvas, planes, window, texels);
+void pack_amounts(const CanvasSource& canvas, int plane, const CellWindow& window,
+                  const Threads& threads, std::vector<float>& texels) {
+  texels.assign(4 * cells(window), 0.0f);
+  if (canvas.empty(WindowRows(canvas, window).on_grid())) return;
+  const WindowRows rows(canvas, window);
+  const int channels = std::min(canvas.channels() - 4 * plane, 4);
+  threads.for_ranges(0, window.height, kGrain, [&](int begin, int end) {
+    std::vector<float> amount;
+    for (int j = begin; j < end; ++j) {
+      float* out =
+          texels.data() + 4 * static_cast<std::size_t>(window.width) * static_cast<std::size_t>(j);
+      for (int k = 0; k < canvas.layers(); ++k) {
+        for (int c = 0; c < channels; ++c) {
+          rows.read(pigment_plane(k, 4 * plane + c), j, amount);
+          for (std::size_t i = 0; i < amount.size(); ++i)
+            out[4 * i + static_cast<std::size_t>(c)] += amount[i];
+        }
+      }
+    }
+  });
 }
 
 }  // namespace pentimento

@@ -76,6 +76,9 @@ void shade_bands(benchmark::State& state) {
   shade_canvas(state, 1024, painted_canvas(static_cast<int>(state.range(1)), 1024));
 }
 
+/// Features from which on a canvas has 15 bands, a probe, seven lamps.
+constexpr int kSpectral = 5, kMany = 6, kEverything = 7;
+
 /// The light of shade_feature's argument.
 Lighting lighting_of(int features) {
   Lighting light;
@@ -86,7 +89,10 @@ Lighting lighting_of(int features) {
     light.varnish = 0.5f;
     light.white_xy = {0.38f, 0.38f};
   }
-  const int lamps = features < 4 ? 1 : features < 6 ? 3 : kMostLamps;
+  if (features == kEverything) {
+    for (Field<float>& plane : light.probe) plane = Field<float>(512, 256, 0.5f);
+  }
+  const int lamps = features < 4 ? 1 : features < kMany ? 3 : kMostLamps;
   for (int i = 1; i < lamps; ++i) {
     Lamp lamp;
     if (i % 2 == 1) lamp.position_m = {0.03f * static_cast<float>(i), 0.1f, 0.3f};
@@ -98,17 +104,16 @@ Lighting lighting_of(int features) {
 /// What each part of the light costs, cell by cell at 1024 x 768. Arguments: Mesa's threads; 0
 /// nothing but the room, 1 and one lamp, 2 and occlusion and shadows with it, 3 and the camera's
 /// picture, varnish and white balance, 4 and two more lamps, one of them near, 5 and 15 bands, 6
-/// seven lamps in RGB.
+/// seven lamps in RGB, 7 seven lamps, 15 bands and a light probe, whose table is made beforehand.
 void shade_feature(benchmark::State& state) {
-  constexpr int kSpectral = 5;
   const int features = static_cast<int>(state.range(1));
-  shade_canvas(state, 1024, painted_canvas(features == kSpectral ? 15 : 0, 1024),
-               lighting_of(features));
+  const bool spectral = features == kSpectral || features == kEverything;
+  shade_canvas(state, 1024, painted_canvas(spectral ? 15 : 0, 1024), lighting_of(features));
 }
 
 BENCHMARK(shade_feature)
     ->ArgNames({"gl_threads", "features"})
-    ->ArgsProduct({{1, 2}, {0, 1, 2, 3, 4, 5, 6}})
+    ->ArgsProduct({{1, 2}, {0, 1, 2, 3, 4, 5, 6, 7}})
     ->Unit(benchmark::kMillisecond)
     ->MeasureProcessCPUTime()
     ->UseRealTime();

@@ -131,18 +131,36 @@ class ShadingReference {
     return {-sx / length, sy / length, 1 / length};
   }
 
-  Rgb albedo_at(double u, double v, double depth) const {
+  /// Between the colours of the four cells.
+  Rgb albedo_at(double u, double v) const {
+    const int x = static_cast<int>(std::floor(u)), y = static_cast<int>(std::floor(v));
+    const double a = u - x, b = v - y;
     Rgb out{};
+    const auto add = [&](int column, int row, double weight) {
+      if (weight == 0) return;
+      const Rgb cell = cell_albedo(std::clamp(column, 0, s_.geometry.width - 1),
+                                   std::clamp(row, 0, s_.geometry.height - 1));
+      for (std::size_t c = 0; c < 3; ++c) out[c] += weight * cell[c];
+    };
+    add(x, y, (1 - a) * (1 - b));
+    add(x + 1, y, a * (1 - b));
+    add(x, y + 1, (1 - a) * b);
+    add(x + 1, y + 1, a * b);
+    return out;
+  }
+  Rgb cell_albedo(int x, int y) const {
+    Rgb out{};
+    const double depth = static_cast<double>(s_.depth_m(x, y));
     std::vector<Eigen::VectorXd> layers;
     for (int k = 0; k < s_.layers; ++k) {
       Eigen::VectorXd c(s_.channels);
-      for (int i = 0; i < s_.channels; ++i) c(i) = bilinear(s_.channel(k, i), u, v);
+      for (int i = 0; i < s_.channels; ++i) c(i) = static_cast<double>(s_.channel(k, i)(x, y));
       if (basis_.amount.cast<double>().dot(c) > static_cast<double>(kEmptyLayerAmount)) {
         layers.push_back(c);
       }
     }
     for (std::size_t band = 0; band < 3; ++band) {
-      double R = bilinear(s_.reflectance[band], u, v);
+      double R = static_cast<double>(s_.reflectance[band](x, y));
       for (const Eigen::VectorXd& c : layers) {
         const double share = depth / static_cast<double>(layers.size()) /
                              static_cast<double>(model_.depth_reference_m) /
@@ -218,7 +236,7 @@ class ShadingReference {
     p.depth = bilinear(s_.depth_m, u, v);
     p.height = height_at(u, v);
     p.normal = normal_at(u, v);
-    p.albedo = albedo_at(u, v, p.depth);
+    p.albedo = albedo_at(u, v);
     const auto covered = [](double film_m) { return 1 - std::exp(-std::max(film_m, 0.0) / 1e-4); };
     p.wet = covered(p.depth);
     const double paint = covered(p.depth + bilinear(s_.base_m, u, v) - bilinear(s_.paper_m, u, v));

@@ -139,14 +139,11 @@ void GlProgram::set(const char* name, int value) const {
 void GlProgram::set(const char* name, float value) const {
   gl_->Uniform1fv(location(name), 1, &value);
 }
-void GlProgram::set_vec2(const char* name, const float* xy) const {
-  gl_->Uniform2fv(location(name), 1, xy);
+void GlProgram::set_vec2(const char* name, const float* xy, int count) const {
+  gl_->Uniform2fv(location(name), count, xy);
 }
 void GlProgram::set_vec3(const char* name, const float* xyz, int count) const {
   gl_->Uniform3fv(location(name), count, xyz);
-}
-void GlProgram::set_vec4(const char* name, const float* xyzw, int count) const {
-  gl_->Uniform4fv(location(name), count, xyzw);
 }
 void GlProgram::set_mat3(const char* name, const float* rows) const {
   gl_->UniformMatrix3fv(location(name), 1, GL_TRUE, rows);

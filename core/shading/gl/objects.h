@@ -75,9 +75,8 @@ class GlProgram {
   void use() const { gl_->UseProgram(id_); }
   void set(const char* name, int value) const;
   void set(const char* name, float value) const;
-  void set_vec2(const char* name, const float* xy) const;
+  void set_vec2(const char* name, const float* xy, int count = 1) const;
   void set_vec3(const char* name, const float* xyz, int count = 1) const;
-  void set_vec4(const char* name, const float* xyzw, int count) const;
   /// `rows`: nine values, row by row.
   void set_mat3(const char* name, const float* rows) const;
   void set_floats(const char* name, const float* values, int count) const;

@@ -3,6 +3,8 @@
 uniform vec3 lamp_place[LAMPS];     // direction towards it; of a near one its position (m)
 uniform float lamp_range2[LAMPS];   // near: squared distance from the centre (m^2); 0 = far away
 uniform vec3 lamp_radiance[LAMPS];  // irradiance at normal incidence / pi; near: at the centre
+uniform vec3 lamp_facets[LAMPS];    // of a far one: normal of the facets that mirror it,
+uniform vec2 lamp_mirror[LAMPS];    // 1 / v.h and Fresnel's share there
 #endif
 uniform vec2 first_cell;  // of the tile's window, in the grid
 uniform vec2 cell_m;

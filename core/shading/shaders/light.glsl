@@ -75,17 +75,26 @@ float fresnel(float cosine) {
   return 0.5 * (s * s + p * p);
 }
 
-// Torrance-Sparrow with Beckmann's facets and V-grooves, times n.l: what a lamp of irradiance 1
-// sends to the viewer.
-float lobe(vec3 n, vec3 l, float roughness) {
-  float n_l = dot(n, l), n_v = n.z;
-  if (n_l <= 0.0) return 0.0;
+// A lamp's mirror: the facets that send its light to the viewer.
+struct Facets {
+  vec3 normal;
+  float per_v_h;  // 1 / v.h
+  float F;        // Fresnel at v.h; 0 for a lamp straight behind the canvas
+};
+
+Facets facets_of(vec3 l) {
   vec3 halfway = l + vec3(0.0, 0.0, 1.0);
   float size = sqrt(dot(halfway, halfway));
-  if (size < 1e-3) return 0.0;
-  float n_h = dot(n, halfway) / size, v_h = 0.5 * size;
-  float c2 = n_h * n_h, a2 = roughness * roughness;
-  float density = exp((c2 - 1.0) / (c2 * a2)) / (kPi * a2 * c2 * c2);
-  float grooves = min(1.0, 2.0 * n_h * min(n_v, n_l) / v_h);
-  return fresnel(v_h) * density * grooves / (4.0 * n_v);
+  if (size < 1e-3) return Facets(vec3(0.0, 0.0, 1.0), 1.0, 0.0);
+  return Facets(halfway / size, 2.0 / size, fresnel(0.5 * size));
+}
+
+// Torrance-Sparrow with Beckmann's facets and V-grooves, times n.l: what a lamp of irradiance 1
+// sends to the viewer. `per_a2`: 1 / roughness^2.
+float lobe(vec3 n, float n_l, Facets facets, float per_a2) {
+  float n_v = n.z, n_h = max(dot(n, facets.normal), 1e-3);
+  float per_c2 = 1.0 / (n_h * n_h);
+  float density = exp((1.0 - per_c2) * per_a2) * (per_c2 * per_c2) * (per_a2 / kPi);
+  float grooves = min(1.0, 2.0 * n_h * min(n_v, max(n_l, 0.0)) * facets.per_v_h);
+  return facets.F * density * grooves / (4.0 * n_v);
 }

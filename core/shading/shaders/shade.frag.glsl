@@ -35,16 +35,14 @@ layout(location = PIGMENT_TARGET) out vec4 pigment_amounts[PLANES];
 struct Shaded {
   vec3 albedo, normal, diffuse, specular, reflection;
   float height, depth, wet;
+#ifdef PIGMENT_TARGET
   vec4 pigment[PLANES];
+#endif
 };
 
 // Share of the surface that films of this thickness cover: thinner than a tenth of a millimetre
 // the canvas's threads stand out.
 float covered(float film_m) { return 1.0 - exp(-max(film_m, 0.0) * 1e4); }
-
-// How far wet paint of this depth has flowed smooth: a thin film still has the shape of the threads
-// and of the paint that it lies on.
-float smooth_share(float film_m) { return 1.0 - exp(-max(film_m, 0.0) * 2.5e3); }
 
 // Shares of the sky and of the lamps that the relief leaves: horizon.h.
 struct Seen {
@@ -75,11 +73,13 @@ vec3 with_walls(float sky, vec3 albedo) {
   return clamp(((sky * a + b) * sky + c) * sky, sky, 1.0);
 }
 
-void light_up(inout Shaded s, vec3 point, Seen seen, float paint) {
+// `smooth_share`: how far wet paint has flowed smooth.
+void light_up(inout Shaded s, vec3 point, Seen seen, float paint, float smooth_share) {
   vec3 n = s.normal;
   float gloss = mix(paint, 1.0, varnish);
-  float smoothness = mix(smooth_share(s.depth), 1.0, varnish);
+  float smoothness = mix(smooth_share, 1.0, varnish);
   float roughness = mix(roughness_dry, roughness_wet, smoothness);
+  float per_a2 = 1.0 / (roughness * roughness);
   float F = gloss * schlick(n.z);
   vec3 light = ambient(n) * with_walls(seen.sky, s.albedo);
   s.specular = vec3(0.0);
@@ -87,8 +87,11 @@ void light_up(inout Shaded s, vec3 point, Seen seen, float paint) {
   for (int i = 0; i < LAMPS; ++i) {
     Lit lamp = lamp_at(i, point);
     vec3 radiance = lamp.radiance * seen.lamp[i];
-    light += radiance * max(dot(n, lamp.direction), 0.0);
-    s.specular += radiance * lobe(n, lamp.direction, roughness);
+    float n_l = dot(n, lamp.direction);
+    Facets facets = Facets(lamp_facets[i], lamp_mirror[i].x, lamp_mirror[i].y);
+    if (lamp_range2[i] != 0.0) facets = facets_of(lamp.direction);
+    light += radiance * max(n_l, 0.0);
+    s.specular += radiance * lobe(n, n_l, facets, per_a2);
   }
 #endif
   s.diffuse = exposure * ((1.0 - F) * s.albedo * light);
@@ -105,19 +108,21 @@ Shaded shaded_at(ivec2 sample_index) {
   Place place = place_at(sample_index);
   vec4 ground_texel = read(ground, place);
   Relief surface = relief_at(place);
-  Paint paint = paint_at(place);
   Shaded s;
   s.depth = ground_texel.a;
   s.height = surface.height;
   s.normal = normal_of(surface.slope);
-  s.albedo = albedo_at(place, paint, s.depth, ground_texel.rgb);
-  s.wet = covered(s.depth);
-  for (int i = 0; i < PLANES; ++i) {
-    s.pigment[i] = vec4(0.0);
-    for (int k = 0; k < LAYERS; ++k) s.pigment[i] += paint.amount[k * PLANES + i];
-  }
+  s.albedo = ground_texel.rgb;
+  // A thin film still has the shape of the threads and of the paint that it lies on: it takes four
+  // times the depth to flow smooth that it takes to cover.
+  float rough_share = exp(-max(s.depth, 0.0) * 2.5e3);
+  float rough2 = rough_share * rough_share;
+  s.wet = 1.0 - rough2 * rough2;
+#ifdef PIGMENT_TARGET
+  for (int i = 0; i < PLANES; ++i) s.pigment[i] = read_layer(amounts, i, place);
+#endif
   light_up(s, point_at(place.cell, place.fraction, s.height), seen_at(place),
-           covered(paint_m(place)));
+           covered(paint_m(place)), 1.0 - rough_share);
   return s;
 }
 
@@ -130,7 +135,9 @@ void add(inout Shaded sum, Shaded s) {
   sum.height += s.height;
   sum.depth += s.depth;
   sum.wet += s.wet;
+#ifdef PIGMENT_TARGET
   for (int i = 0; i < PLANES; ++i) sum.pigment[i] += s.pigment[i];
+#endif
 }
 
 void write(Shaded s, float weight) {

@@ -1,10 +1,12 @@
 // The state at a sample: which cells it lies between (tables, so that every tile computes with the
-// same numbers), bilinear amounts, and the relief by cubic interpolation (A38).
+// same numbers), bilinear colours, and the relief by cubic interpolation (A38).
 uniform sampler2D columns;        // per sample column: cell left of it, fraction of the way right
 uniform sampler2D rows;           // per sample row: cell above it, fraction of the way down
-uniform sampler2D ground;         // dry reflectance RGB, depth of wet paint (m)
+uniform sampler2D ground;         // colour of all paint, depth of wet paint (m)
 uniform sampler2D relief;         // height (m), thickness of all paint, dry and wet (m)
-uniform sampler2DArray amounts;   // four channels a texel; PLANES texels a layer
+#ifdef PIGMENT_TARGET
+uniform sampler2DArray amounts;   // four channels a texel, of all layers together
+#endif
 uniform vec2 relief_per_cell;     // relief scale / cell size (1/m)
 uniform int relief_border;        // cells of the relief's window around that of the others
 
