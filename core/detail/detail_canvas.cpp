@@ -1,11 +1,19 @@
 #include "core/detail/detail_canvas.h"
 
+#include <algorithm>
+
 namespace pentimento {
 
 namespace {
 template <typename Body>
 void for_wet_planes(int pigments, const Body& body) {
   for (int p = -1; p < pigments; ++p) body(WetPlane{p});
+}
+
+/// Blocks whose layers do not correspond to the guide's may have paint where the guide has none.
+bool any_in(const TilePlane& plane, const DetailLayout& layout) {
+  const std::ptrdiff_t cells = static_cast<std::ptrdiff_t>(layout.side()) * layout.side();
+  return std::any_of(plane.data(), plane.data() + cells, [](float v) { return v != 0; });
 }
 }  // namespace
 
@@ -83,7 +91,8 @@ void DetailCanvas::prune(int tile, const CanvasState& guide) {
   DetailTile* made = find(tile);
   if (made == nullptr) return;
   for_wet_planes(layers_ * channels_, [&](const WetPlane& q) {
-    if (q.of(*made) && !any_in(q.of(guide), made->box)) q.of(*made).free();
+    const TilePlane& plane = q.of(*made);
+    if (plane && !any_in(q.of(guide), made->box) && !any_in(plane, layout_)) q.of(*made).free();
   });
 }
 

@@ -54,7 +54,7 @@ class DetailCanvas {
 
   /// Channels of which the tile has a plane, ascending; each gets planes for all layers.
   std::vector<int> complete_channels(int tile);
-  /// Frees wet planes of the tile in which the guide has nothing.
+  /// Frees wet planes of the tile in which neither the guide nor the tile has anything.
   void prune(int tile, const CanvasState& guide);
 
  private:

@@ -80,7 +80,7 @@ void Refinement::stepped(const CanvasState& guide, const StepInput&) {
   free_idle_planes(guide);
 }
 
-/// Wet planes in which the guide has nothing any more.
+/// Wet planes in which nothing is left.
 void Refinement::free_idle_planes(const CanvasState& guide) {
   const auto rests = [&](int t) {
     std::int64_t& locked = locked_[static_cast<std::size_t>(t)];
