@@ -15,6 +15,6 @@ struct CanvasView {
 };
 
 /// `fine` may be none. Both outlive the view, and do not change while it is read.
-CanvasView make_canvas_view(const Simulation& simulation, const FineCanvas* fine, int detail);
+CanvasView make_canvas_view(const Simulation& simulation, FineCanvas* fine, int detail);
 
 }  // namespace pentimento

@@ -31,7 +31,11 @@ class FineCanvas {
                                                     const FineStorage& storage = {});
   ~FineCanvas();
 
-  const CanvasSource& source() const { return source_; }
+  /// The canvas with all that was painted up to now.
+  const CanvasSource& source() {
+    refinement_.settle();
+    return source_;
+  }
   const Refinement& refinement() const { return refinement_; }
   /// Why parts of the canvas could not be kept; no error as long as all could.
   const Result<void>& problem() const { return refinement_.canvas().problem(); }

@@ -60,9 +60,10 @@ inline float stamp_value(const TipLevel& level, float u, float v) {
   return s < kFaintest ? 0 : s;
 }
 
-/// How hard the hairs hold the paint at v where the tip's value is `value`, in [0,2].
-inline float stamp_touch(const StampPlan& plan, float value, float v) {
-  return std::min(1.0f, value / plan.mean) * plan.tip->grip(v);
+/// How hard the hairs hold the paint at v where the tip's value is `value`, in [0,2]; `grip`: the
+/// tip's.
+inline float stamp_touch(const StampPlan& plan, const HairTable& grip, float value, float v) {
+  return std::min(1.0f, value / plan.mean) * grip.at(v);
 }
 
 /// How far a cell is under the ends of a blade, which paint may pass, by the tip's value there.

@@ -108,6 +108,7 @@ class Tip {
   TipExtent extent() const { return extent_; }
   /// How strongly the hairs at v (tip coordinates) take hold: hair_grip(), interpolated.
   float grip(float v) const { return grip_.at(v); }
+  const HairTable& grip_table() const { return grip_; }
   /// The reservoir's texels that the tip covers, and those that touch them.
   const std::vector<TipTexel>& texels() const { return texels_; }
   /// 1 for those, 0 for the others.

@@ -232,6 +232,7 @@ void Transfer::for_rows(const StampPlan& plan, void (Transfer::*pass)(const Stam
 /// The tip's value per cell, and what the canvas is like under it.
 void Transfer::measure_rows(const StampPlan& plan, int begin, int end) {
   const TipLevel level = stamp_tip_level(plan, cell_m());
+  const HairTable& grip = plan.tip->grip_table();
   for (int y = begin; y < end; ++y) {
     const int canvas_y = plan.box.y + y;
     const TipRow tip = tip_row(plan.pose, plan.box, state_.geometry, canvas_y);
@@ -244,7 +245,7 @@ void Transfer::measure_rows(const StampPlan& plan, int begin, int end) {
     for (int x = 0; x < plan.box.width; ++x) {
       const float s = stamp_value(level, tip.u(x), tip.v(x));
       weight_[at + static_cast<std::size_t>(x)] = s;
-      touch_[at + static_cast<std::size_t>(x)] = stamp_touch(plan, s, tip.v(x));
+      touch_[at + static_cast<std::size_t>(x)] = stamp_touch(plan, grip, s, tip.v(x));
       if (!(s > 0)) continue;
       touched.begin = std::min(touched.begin, x);
       touched.end = x + 1;

@@ -62,6 +62,14 @@ float interpolated(const Field<float>& plane, Between x, Between y, bool walls_i
   return top + y.share * (bottom - top);
 }
 
+/// Whether nothing moves in the rows `low` and `low` + 1.
+bool rests(const Field<float>& plane, int low) {
+  const auto zero = [](float v) { return v == 0; };
+  for (int y = std::max(low, 0); y <= std::min(low + 1, plane.height() - 1); ++y)
+    if (!std::all_of(plane.row(y), plane.row(y) + plane.width(), zero)) return false;
+  return true;
+}
+
 /// Whether the guide moves in the cells that velocities in the window are interpolated from.
 bool flows(const CanvasState& guide, int factor, const CellWindow& window) {
   const int x0 = std::max(0, window.x / factor - 1), y0 = std::max(0, window.y / factor - 1);
@@ -121,6 +129,10 @@ void DetailSource::read_velocity(PlaneKind kind, int x, int y, std::span<float> 
   const bool along_x = kind == PlaneKind::kVelocityX;
   const Field<float>& plane = along_x ? guide_.velocity_x_m_s : guide_.velocity_y_m_s;
   const Between row = along_x ? between_centres(y, k) : between_faces(y, k);
+  if (rests(plane, row.low)) {
+    std::fill(out.begin(), out.end(), 0.0f);
+    return;
+  }
   for (std::size_t i = 0; i < out.size(); ++i) {
     const int fine = x + static_cast<int>(i);
     out[i] = interpolated(plane, along_x ? between_faces(fine, k) : between_centres(fine, k), row,
@@ -131,7 +143,12 @@ void DetailSource::read_velocity(PlaneKind kind, int x, int y, std::span<float> 
 void DetailSource::read_strokes(int x, int y, std::span<std::uint32_t> out) const {
   const int k = canvas_.layout().factor();
   const std::uint32_t* row = guide_.stroke.row(y / k);
-  for (std::size_t i = 0; i < out.size(); ++i) out[i] = row[(x + static_cast<int>(i)) / k];
+  const int cells = static_cast<int>(out.size());
+  for (int i = 0; i < cells;) {
+    const int block = (x + i) / k, end = std::min(cells, (block + 1) * k - x);
+    std::fill(out.begin() + i, out.begin() + end, row[block]);
+    i = end;
+  }
 }
 
 bool DetailSource::empty(const CellWindow& window) const {

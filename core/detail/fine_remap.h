@@ -11,6 +11,7 @@ namespace pentimento {
 struct FineSources {
   std::vector<int> cell;
   std::vector<float> share;  // of the cell's length that lies before the edge, [0,1]
+  int most = 0;              // cells from one edge's source to the next one's
 };
 
 /// For n + 1 ascending positions of moved edges (fine_edges.h), the first 0, the last n.

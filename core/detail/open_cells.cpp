@@ -25,22 +25,23 @@ bool all_open(const DetailTile& tile, const DetailLayout& layout, int x, int y) 
 }
 }  // namespace
 
-void await_touch(DetailCanvas& canvas, int tile_index, int x, int y, const LayerOpening& opening) {
-  const DetailLayout& layout = canvas.layout();
-  if (canvas.layers() == 1) return;
-  DetailTile& tile = *canvas.find(tile_index);
+void make_openable(DetailTile& tile, const DetailLayout& layout) {
+  if (!tile.open.empty()) return;
+  const std::size_t side = static_cast<std::size_t>(layout.side());
+  const std::size_t blocks = static_cast<std::size_t>(layout.blocks());
+  tile.open.opened.assign(side * side, 1);
+  tile.open.opening.resize(blocks * blocks);
+  tile.open.tangled.assign(blocks * blocks, 0);
+}
+
+void await_touch(DetailTile& tile, const DetailLayout& layout, int x, int y, int layers,
+                 const LayerOpening& opening) {
+  if (layers == 1) return;
   const int k = layout.factor();
-  if (tile.open.empty()) {
-    const std::size_t side = static_cast<std::size_t>(layout.side());
-    const std::size_t blocks = static_cast<std::size_t>(layout.blocks());
-    tile.open.opened.assign(side * side, 1);
-    tile.open.opening.resize(blocks * blocks);
-    tile.open.tangled.assign(blocks * blocks, 0);
-  }
   const std::size_t block = block_of(layout, x, y);
   // Two layers that become one are as the guide's, whoever followed the last stroke. With more
   // layers, or with none full, cells that did not follow stay one layer behind.
-  const bool joins_all = opening.merges && canvas.layers() == 2;
+  const bool joins_all = opening.merges && layers == 2;
   if (joins_all) {
     tile.open.tangled[block] = 0;
   } else if (!all_open(tile, layout, x, y)) {

@@ -38,7 +38,7 @@ Refinement::Refinement(RefinementSetup setup, const DetailGround& ground, TileSt
 
 void Refinement::lay(const StampPlan& plan, const CanvasState& guide) {
   stamp_.lift(plan, guide);
-  const GuideBox box = stamp_.box();
+  const GuideBox& box = stamp_.box();
   changed_.add({box.x0 - 1, box.x1 + 1, box.y0 - 1, box.y1 + 1});
 }
 
@@ -48,6 +48,7 @@ void Refinement::laid(const StampPlan& plan, const CanvasState& guide) {
 
 void Refinement::moved(const CanvasState& guide, const StepInput& in,
                        const std::vector<conservative::Run>& runs) {
+  stamp_.finish();
   moving_.clear();
   add_moving(edges_, runs, moving_);
   const std::vector<int> tiles = moving_.tiles();
@@ -64,6 +65,7 @@ void Refinement::moved(const CanvasState& guide, const StepInput& in,
 }
 
 void Refinement::stepped(const CanvasState& guide, const StepInput&) {
+  stamp_.finish();
   ++steps_;
   if (!changed_.empty()) {
     for (const int t : changed_.tiles()) {
@@ -93,10 +95,12 @@ void Refinement::free_idle_planes(const CanvasState& guide) {
 }
 
 void Refinement::drying(const CanvasState&, const ChannelBasis& basis, const Model& model) {
+  stamp_.finish();
   dry_detail(canvas_, basis, model, threads_);
 }
 
 void Refinement::cleared() {
+  stamp_.forget();
   canvas_.clear();
   for (const int t : idle_) locked_[static_cast<std::size_t>(t)] = -1;
   idle_.clear();

@@ -40,6 +40,8 @@ class Refinement : public CanvasFollower {
   void cleared() override;
   void restored(const CanvasState& guide) override;
 
+  /// Does what still waits to be done: from then on canvas() has every stamp.
+  void settle() { stamp_.finish(); }
   const DetailCanvas& canvas() const { return canvas_; }
   const LockStatistics& lock_statistics() const { return lock_.statistics(); }
 

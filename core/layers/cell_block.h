@@ -17,26 +17,10 @@ struct BlockTotals {
   std::array<BlockValues, kMaxLayers> total;
   int count = 0;
 
-  void find(const LayerRow& row, int first, int cells) {
-    count = cells;
-    for (int layer = 0; layer < row.layers; ++layer) {
-      BlockValues& sum = total[static_cast<std::size_t>(layer)];
-      std::fill_n(sum.begin(), cells, 0.0f);
-      for (int c = 0; c < row.channels; ++c) {
-        const float m = row.amount[static_cast<std::size_t>(c)];
-        if (m == 0) continue;
-        const float* plane = &row.at(layer, c, first);
-        for (int i = 0; i < cells; ++i) sum[static_cast<std::size_t>(i)] += m * plane[i];
-      }
-    }
-  }
-  /// As LayerRow::top of the block's cell i.
-  int top(int layers, int i) const {
-    for (int layer = layers - 1; layer >= 0; --layer)
-      if (total[static_cast<std::size_t>(layer)][static_cast<std::size_t>(i)] > kEmptyLayerAmount)
-        return layer;
-    return -1;
-  }
+  void find(const LayerRow& row, int first, int cells);
+  /// Per cell, one more than its LayerRow::top: how many layers it has, counting empty ones below.
+  /// Returns the most.
+  int find_occupied(int layers, std::array<int, kBlockCells>& occupied) const;
 };
 
 /// Share of the bottom layer that may leave the paper: all but the residue (R19).
@@ -45,10 +29,6 @@ inline float mobile_share(float total, float residue) {
 }
 
 /// Whether a plane holds anything in a block.
-inline bool any_paint(const float* plane, int cells) {
-  bool any = false;
-  for (int i = 0; i < cells; ++i) any |= plane[i] != 0;
-  return any;
-}
+bool any_paint(const float* plane, int cells);
 
 }  // namespace pentimento

@@ -49,19 +49,29 @@ struct Block {
   BlockValues share;
 };
 
-/// Lifts from one layer; adds the layer's reach to the weight of the depth.
+/// The share that leaves a layer of each cell; adds the layer's reach to the weight of the depth.
+PENTIMENTO_KERNEL
+void find_parts(const Lift& lift, const Block& block, const BlockTotals& totals,
+                const std::array<int, kBlockCells>& occupied, int layer,
+                float* __restrict depth_weight, float* __restrict part) {
+  const float reach_frac = lift.reach_frac, residue = lift.residue;
+  for (int i = 0; i < block.cells; ++i) {
+    const std::size_t at = static_cast<std::size_t>(i);
+    const bool takes = layer < occupied[at] && block.share[at] > 0;
+    const float reach = reach_weight(reach_frac, layer, occupied[at]);
+    const float mobile = layer == 0 ? mobile_share(totals.total[0][at], residue) : 1.0f;
+    const float weight = reach / static_cast<float>(occupied[at]);
+    depth_weight[i] += takes ? weight : 0.0f;
+    part[i] = takes ? block.share[at] * reach * mobile : 0.0f;
+  }
+}
+
+/// Lifts from one layer.
 void lift_layer(const Lift& lift, const LayerRow& row, const Block& block,
                 const BlockTotals& totals, const std::array<int, kBlockCells>& occupied, int layer,
                 BlockValues& depth_weight, const Record& record) {
   BlockValues part{}, gone;
-  for (int i = 0; i < block.cells; ++i) {
-    const std::size_t at = static_cast<std::size_t>(i);
-    if (layer >= occupied[at] || !(block.share[at] > 0)) continue;
-    const float reach = reach_weight(lift.reach_frac, layer, occupied[at]);
-    depth_weight[at] += reach / static_cast<float>(occupied[at]);
-    part[at] = block.share[at] * reach *
-               (layer == 0 ? mobile_share(totals.total[0][at], lift.residue) : 1.0f);
-  }
+  find_parts(lift, block, totals, occupied, layer, depth_weight.data(), part.data());
   for (int c = 0; c < row.channels; ++c) {
     float* plane = &row.at(layer, c, block.first);
     if (!any_paint(plane, block.cells)) continue;
@@ -75,12 +85,10 @@ void lift_block(const Lift& lift, const LayerRow& row, const Block& block, float
   BlockTotals totals;
   totals.find(row, block.first, block.cells);
   std::array<int, kBlockCells> occupied;
-  BlockValues depth_weight{};
-  int most = 0;
+  const int most = totals.find_occupied(row.layers, occupied);
+  BlockValues depth_weight;
   for (int i = 0; i < block.cells; ++i) {
     const std::size_t at = static_cast<std::size_t>(i);
-    occupied[at] = totals.top(row.layers, i) + 1;
-    most = std::max(most, occupied[at]);
     depth_weight[at] = occupied[at] == 0 ? 1.0f : 0.0f;
   }
   for (int layer = 0; layer < most; ++layer)

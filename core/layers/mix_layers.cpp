@@ -9,17 +9,17 @@ namespace pentimento {
 
 namespace {
 /// Exchange between the layers of one channel. `exchange[k]`: m between layers k and k + 1, 0 above
-/// a cell's topmost layer.
+/// a cell's topmost layer; `most`: layers of the highest cell.
 PENTIMENTO_KERNEL
 void mix_channel(const LayerRow& row, int channel, int first, int cells, const BlockValues& mobile,
-                 const std::array<BlockValues, kMaxLayers>& exchange) {
+                 const std::array<BlockValues, kMaxLayers>& exchange, int most) {
   BlockValues below, incoming{};
   float* plane = &row.at(0, channel, first);
   for (int i = 0; i < cells; ++i) {
     const std::size_t at = static_cast<std::size_t>(i);
     below[at] = mobile[at] * plane[i];
   }
-  for (int k = 0; k + 1 < row.layers; ++k) {
+  for (int k = 0; k + 1 < most; ++k) {
     float* lower = &row.at(k, channel, first);
     const float* upper = &row.at(k + 1, channel, first);
     for (int i = 0; i < cells; ++i) {
@@ -30,7 +30,7 @@ void mix_channel(const LayerRow& row, int channel, int first, int cells, const B
       below[at] = upper[i];
     }
   }
-  float* top = &row.at(row.layers - 1, channel, first);
+  float* top = &row.at(most - 1, channel, first);
   for (int i = 0; i < cells; ++i) top[i] += incoming[static_cast<std::size_t>(i)];
 }
 
@@ -40,25 +40,38 @@ bool any_in_channel(const LayerRow& row, int channel, int first, int cells) {
   return false;
 }
 
+/// What may be exchanged in each cell of a block: m between layers below its topmost. `most`:
+/// layers of the highest cell.
+PENTIMENTO_KERNEL
+void find_exchange(const MixLayers& mix, const BlockTotals& totals,
+                   const std::array<int, kBlockCells>& occupied, int most, const float* weight,
+                   int cells, float* __restrict mobile, std::array<BlockValues, kMaxLayers>& out) {
+  const float residue = mix.residue, frac = mix.exchange_frac;
+  const float* bottom = totals.total[0].data();
+  for (int i = 0; i < cells; ++i) mobile[i] = mobile_share(bottom[i], residue);
+  for (int k = 0; k + 1 < most; ++k) {
+    float* __restrict exchange = out[static_cast<std::size_t>(k)].data();
+    for (int i = 0; i < cells; ++i) {
+      const float m = std::max(0.0f, std::min(0.5f, frac * weight[i]));
+      exchange[i] = k + 1 < occupied[static_cast<std::size_t>(i)] ? m : 0.0f;
+    }
+  }
+}
+
 void mix_block(const MixLayers& mix, const LayerRow& row, const float* weight, int first,
                int cells) {
   BlockTotals totals;
   totals.find(row, first, cells);
+  std::array<int, kBlockCells> occupied;
+  const int most = totals.find_occupied(row.layers, occupied);
+  if (most < 2) return;
   BlockValues mobile;
   std::array<BlockValues, kMaxLayers> exchange;
-  bool any = false;
-  for (int i = 0; i < cells; ++i) {
-    const std::size_t at = static_cast<std::size_t>(i);
-    const float m = std::max(0.0f, std::min(0.5f, mix.exchange_frac * weight[i]));
-    const int top = totals.top(row.layers, i);
-    mobile[at] = mobile_share(totals.total[0][at], mix.residue);
-    for (int k = 0; k + 1 < row.layers; ++k)
-      exchange[static_cast<std::size_t>(k)][at] = k < top ? m : 0.0f;
-    any |= m > 0 && top > 0;
-  }
-  if (!any) return;
+  find_exchange(mix, totals, occupied, most, weight, cells, mobile.data(), exchange);
+  if (!any_paint(exchange[0].data(), cells)) return;
   for (int c = 0; c < row.channels; ++c)
-    if (any_in_channel(row, c, first, cells)) mix_channel(row, c, first, cells, mobile, exchange);
+    if (any_in_channel(row, c, first, cells))
+      mix_channel(row, c, first, cells, mobile, exchange, most);
 }
 }  // namespace
 

@@ -23,6 +23,7 @@ class OpenCellsTest : public ::testing::Test {
  protected:
   OpenCellsTest() {
     canvas_.at(0);
+    make_openable(*canvas_.find(0), layout_);
     for (const int p : {0, 1}) canvas_.make(canvas_.find(0)->pigment[static_cast<std::size_t>(p)]);
   }
   LayerRow row() {
@@ -41,7 +42,7 @@ TEST_F(OpenCellsTest, OnlyTouchedCellsFollow) {
   const LayerRow cells = row();
   for (int x = 0; x < 4; ++x) cells.at(0, 0, x) = cells.at(1, 0, x) = 1;
   const std::vector<float> full = {1, 1};
-  await_touch(canvas_, 0, 0, 0, opening_of(full));
+  await_touch(*canvas_.find(0), layout_, 0, 0, 2, opening_of(full));
   EXPECT_FALSE(layers_correspond(*canvas_.find(0), layout_, 0, 0));
   open_cell(*canvas_.find(0), layout_, cells, 1, 0, 1);
   EXPECT_EQ(cells.at(0, 0, 1), 2);  // merged, room above
@@ -53,7 +54,7 @@ TEST_F(OpenCellsTest, OnlyTouchedCellsFollow) {
 
 TEST_F(OpenCellsTest, CorrespondAgainOnceAllAreOpen) {
   const std::vector<float> full = {1, 1};
-  await_touch(canvas_, 0, 0, 0, opening_of(full));
+  await_touch(*canvas_.find(0), layout_, 0, 0, 2, opening_of(full));
   const LayerRow cells = row();
   for (int y = 0; y < 4; ++y)
     for (int x = 0; x < 4; ++x) {
