@@ -206,7 +206,7 @@ Result<void> Replay::write(const std::vector<PlannedOutput>& files) {
   watch_.start("hash");
   const CanvasView view = make_canvas_view(*simulation_, fine_.get(), session_.detail);
   report_.guide_sha256 = state_sha256(simulation_->state());
-  report_.state_sha256 = view.detail > 1 ? state_sha256(*view.canvas) : report_.guide_sha256;
+  report_.state_sha256 = view.detail > 1 ? state_sha256(*view.canvas, threads_) : report_.guide_sha256;
   if (Result<void> looked = lighting_.look(player_->steps()); !looked) return looked;
   Lighting lighting = clone_lighting(lighting_.lighting());
   light_.apply(lighting);

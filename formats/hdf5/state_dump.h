@@ -10,6 +10,7 @@
 #include "core/optics/channels.h"
 #include "core/optics/lighting.h"
 #include "core/result.h"
+#include "core/threads.h"
 #include "formats/io/output_file.h"
 #include "formats/io/picture_file.h"
 
@@ -28,8 +29,10 @@ struct StateDump {
   double steps_per_second = 45;
   double time_s = 0;
   std::string log_sha256;
-  std::string state_sha256;  // of `fine` if there is one; reader: as stored, writer: computed
-  std::string guide_sha256;  // of `state`; likewise
+  // Of `fine` if there is one; reader: as stored, writer: computed, unless there is a `fine` and
+  // this is given.
+  std::string state_sha256;
+  std::string guide_sha256;  // of `state`; reader: as stored, writer: computed
   Provenance provenance;     // reader only; the writer takes DumpOptions'
 };
 
@@ -51,7 +54,7 @@ inline constexpr int kHashVersion = 1;
 /// number of threads, chunking and file.
 std::string state_sha256(const CanvasState& state);
 /// The same of the planes alone: of a canvas on which nothing sleeps.
-std::string state_sha256(const CanvasSource& canvas);
+std::string state_sha256(const CanvasSource& canvas, const Threads& threads = Threads(1));
 
 /// The dump's file made whole under a temporary name; OutputFile::publish() gives it its own.
 /// Without the .xdmf. Errors: kIo, kLimit, kUsage.

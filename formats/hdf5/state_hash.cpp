@@ -1,8 +1,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <bit>
 #include <cstring>
+#include <utility>
+#include <vector>
 
 #include "formats/hdf5/layout.h"
 #include "formats/hdf5/sleep.h"
@@ -29,21 +32,64 @@ void add_sleep(const CanvasState& state, Sha256& hash) {
   hash.update(bits.data(), bits.size() * sizeof(std::uint32_t));
 }
 
-void add_planes(const CanvasSource& canvas, Sha256& hash) {
+/// Rows of a dataset, read ahead while others are hashed.
+class RowsAhead {
+ public:
+  RowsAhead(const CanvasSource& canvas, const hdf5::CanvasDataset& dataset,
+            std::size_t values_per_row)
+      : canvas_(canvas),
+        dataset_(dataset),
+        width_(values_per_row),
+        rows_(hdf5::row_count(canvas, dataset)),
+        at_once_(std::max<std::int64_t>(
+            1, static_cast<std::int64_t>(kValuesAhead / std::max<std::size_t>(1, width_)))) {}
+
+  void add_to(Sha256& hash, const Threads& threads) {
+    read(0, ready_);
+    for (std::int64_t y = 0; y < rows_; y += at_once_) {
+      threads.for_ranges(0, 2, 1, [&](int begin, int end) {
+        for (int i = begin; i < end; ++i) {
+          if (i == 0) {
+            hash.update(ready_.data(), ready_.size() * sizeof(std::uint32_t));
+          } else {
+            read(y + at_once_, next_);
+          }
+        }
+      });
+      std::swap(ready_, next_);
+    }
+  }
+
+ private:
+  static constexpr std::size_t kValuesAhead = std::size_t{1} << 18;
+
+  void read(std::int64_t first, std::vector<std::uint32_t>& out) const {
+    const std::int64_t rows = std::clamp<std::int64_t>(rows_ - first, 0, at_once_);
+    out.resize(static_cast<std::size_t>(rows) * width_);
+    for (std::int64_t i = 0; i < rows; ++i)
+      hdf5::copy_cells(canvas_, dataset_, first + i, 0,
+                       {out.data() + static_cast<std::size_t>(i) * width_, width_});
+    to_little_endian(out);
+  }
+
+  const CanvasSource& canvas_;
+  const hdf5::CanvasDataset& dataset_;
+  std::size_t width_;
+  std::int64_t rows_, at_once_;
+  std::vector<std::uint32_t> ready_, next_;
+};
+
+void add_planes(const CanvasSource& canvas, Sha256& hash, const Threads& threads) {
   hash.update(fmt::format("{} {}\nstep {}\n", kStateFormat, kHashVersion, canvas.step()));
   const hdf5::CanvasShape shape = hdf5::shape_of(canvas);
-  std::vector<std::uint32_t> row;
   for (const hdf5::CanvasDataset& dataset : hdf5::kCanvasDatasets) {
     if (dataset.is_derived) continue;
     hash.update(fmt::format("{} {} {}\n", dataset.name, dataset.is_integer ? "uint32" : "float32",
                             fmt::join(hdf5::shape_of(shape, dataset), " ")));
-    row.resize(static_cast<std::size_t>(canvas.geometry().width) *
-               static_cast<std::size_t>(hdf5::cell_values(shape, dataset)));
-    for (std::int64_t y = 0; y < hdf5::row_count(canvas, dataset); ++y) {
-      hdf5::copy_cells(canvas, dataset, y, 0, row);
-      to_little_endian(row);
-      hash.update(row.data(), row.size() * sizeof(std::uint32_t));
-    }
+    RowsAhead(canvas, dataset,
+              static_cast<std::size_t>(canvas.geometry().width) *
+                  static_cast<std::size_t>(hdf5::cell_values(shape, dataset)))
+        .add_to(hash, threads);
   }
 }
 
@@ -51,14 +97,14 @@ void add_planes(const CanvasSource& canvas, Sha256& hash) {
 
 std::string state_sha256(const CanvasState& state) {
   Sha256 hash;
-  add_planes(StateSource(state), hash);
+  add_planes(StateSource(state), hash, Threads(1));
   if (!state.sleep.empty()) add_sleep(state, hash);
   return hash.hex();
 }
 
-std::string state_sha256(const CanvasSource& canvas) {
+std::string state_sha256(const CanvasSource& canvas, const Threads& threads) {
   Sha256 hash;
-  add_planes(canvas, hash);
+  add_planes(canvas, hash, threads);
   return hash.hex();
 }
 

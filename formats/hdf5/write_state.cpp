@@ -244,7 +244,9 @@ Result<std::unique_ptr<OutputFile>> complete_state(const std::string& path, cons
   if (const Result<void> fine = check_dump(path, dump); !fine) return fine.error();
   Hashes hashes;
   hashes.guide = state_sha256(dump.state);
-  hashes.state = dump.fine ? state_sha256(*dump.fine) : hashes.guide;
+  hashes.state = !dump.fine                  ? hashes.guide
+                 : dump.state_sha256.empty() ? state_sha256(*dump.fine)
+                                             : dump.state_sha256;
   std::string image;
   const Error no_memory = {ErrorCode::kLimit, path + ": no memory to build the state dump"};
   if (!dump.fine && (image = file_image(dump, hashes, options)).empty()) return no_memory;

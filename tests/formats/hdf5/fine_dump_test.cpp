@@ -83,6 +83,12 @@ TEST(FineDump, TheGuideIsThatOfADumpWithoutDetail) {
   EXPECT_NE(b->guide_sha256, b->state_sha256);
 }
 
+TEST(FineDump, HashDoesNotDependOnReadingAhead) {
+  const StateDump dump = made_up_fine_dump(11);  // planes of more rows than are read at once
+  const std::string one = state_sha256(*dump.fine);
+  for (const int threads : {2, 7}) EXPECT_EQ(state_sha256(*dump.fine, Threads(threads)), one);
+}
+
 TEST(FineDump, BytesDoNotDependOnThreads) {
   const Scratch scratch;
   const StateDump dump = made_up_fine_dump(8);
