@@ -33,8 +33,9 @@ struct CanvasState {
   Field<float> paper_m;         // paper relief alone
   std::vector<Field<float>> reflectance;  // of the dry layer, one plane per band, linear, in [0,1]
   std::vector<Field<float>> pigment;      // >= 0, [layer * channels + channel]
-  Field<std::uint32_t> stroke;            // id of the last stroke that touched the cell, 0 = none
-  std::int64_t step = 0;                  // simulation steps done so far
+  Field<std::uint32_t>
+      stroke;             // id of the last stroke that touched the cell or ran onto it, 0 = none
+  std::int64_t step = 0;  // simulation steps done so far
   // Which tiles of the conservative scheme sleep, and since which gravity (its tiles.h): part of
   // the state and of a dump. Empty = all awake: whoever changes planes by anything but a
   // stamp (drying, loading an image, clearing) empties it.

@@ -12,6 +12,7 @@ constexpr std::uint64_t kHairTrack = std::uint64_t{9} << 32;
 constexpr std::uint64_t kClumpTrack = std::uint64_t{10} << 32;
 constexpr float kFilmWidth = 2.2f;  // of a hair's radius: how far the paint around it reaches
 constexpr float kHairsPerClump = 7;
+constexpr float kTraceFill = 0.02f;  // of the fullest row: less covers nothing
 
 float uniform(std::uint64_t seed, std::uint64_t track, std::size_t index, std::uint64_t k) {
   return random_uniform(RandomPurpose::kBristle, seed,
@@ -85,6 +86,38 @@ void draw_mark(const Mark& mark, float radius, float value, Field<float>& map) {
     }
   }
 }
+/// What share of the fullest row's paint the rows up to each hold, the fullest of them counting,
+/// from the first row on or from the last.
+std::vector<float> fill_from(const std::vector<double>& row, bool from_first) {
+  const double most = *std::max_element(row.begin(), row.end());
+  std::vector<float> fill(row.size());
+  double fullest = 0;
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    const std::size_t at = from_first ? i : row.size() - 1 - i;
+    fullest = std::max(fullest, row[at]);
+    fill[at] = static_cast<float>(fullest / most);
+  }
+  return fill;
+}
+
+/// A stroke squeezes its paint to its sides, where it stands in a steep rim: few hairs reach there,
+/// and what they lay is not the fringe that thins out with their number.
+///   row *= (1 - (1 - f)^3) / f, nothing where f is a trace, f: how full rows are up to this one
+void raise_rims(Field<float>& map) {
+  std::vector<double> row(static_cast<std::size_t>(map.height()));
+  for (int y = 0; y < map.height(); ++y)
+    for (int x = 0; x < map.width(); ++x)
+      row[static_cast<std::size_t>(y)] += static_cast<double>(map(x, y));
+  if (!(*std::max_element(row.begin(), row.end()) > 0)) return;
+  const std::vector<float> above = fill_from(row, true), below = fill_from(row, false);
+  for (int y = 0; y < map.height(); ++y) {
+    const float f =
+        std::min(above[static_cast<std::size_t>(y)], below[static_cast<std::size_t>(y)]);
+    const float lack = (1 - f) * (1 - f), full = 1 - lack * lack * lack;
+    const float rise = f > 0 ? full / f * smooth_step(kTraceFill, 3 * kTraceFill, f) : 0.0f;
+    for (int x = 0; x < map.width(); ++x) map(x, y) = std::min(1.0f, rise * map(x, y));
+  }
+}
 }  // namespace
 
 HairBundle bundle_of(TipShape shape) {
@@ -152,6 +185,7 @@ Field<float> draw_hairs(const HairBundle& bundle, const std::vector<Hair>& hairs
                 map);
     draw_mark(mark, mark.radius, mark.value, map);
   }
+  raise_rims(map);
   return map;
 }
 

@@ -53,13 +53,6 @@ inline TipLevel stamp_tip_level(const StampPlan& plan, float cell_m) {
   return plan.tip->level_for(cell_m / plan.pose.diameter_m, plan.state);
 }
 
-/// Value of the tip at (u, v), in [0,1]; 0 where it is too faint to touch.
-inline float stamp_value(const TipLevel& level, float u, float v) {
-  constexpr float kFaintest = 1e-3f;
-  const float s = level.at(u, v);
-  return s < kFaintest ? 0 : s;
-}
-
 /// How hard the hairs hold the paint at v where the tip's value is `value`, in [0,2]; `grip`: the
 /// tip's.
 inline float stamp_touch(const StampPlan& plan, const HairTable& grip, float value, float v) {

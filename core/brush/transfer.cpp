@@ -69,6 +69,7 @@ void Transfer::apply(const Stamp& stamp, const BrushInHand& hand, const Model& m
   set_rates(stamp, hand, model, reservoir, plan);
   planes_.find(state_);
   prepare(plan.box, plan.stride);
+  print_.draw_cells(plan, cell_m());
 
   for_rows(plan, &Transfer::measure_rows);
   find_heights(hand, plan);
@@ -231,7 +232,6 @@ void Transfer::for_rows(const StampPlan& plan, void (Transfer::*pass)(const Stam
 
 /// The tip's value per cell, and what the canvas is like under it.
 void Transfer::measure_rows(const StampPlan& plan, int begin, int end) {
-  const TipLevel level = stamp_tip_level(plan, cell_m());
   const HairTable& grip = plan.tip->grip_table();
   for (int y = begin; y < end; ++y) {
     const int canvas_y = plan.box.y + y;
@@ -240,11 +240,11 @@ void Transfer::measure_rows(const StampPlan& plan, int begin, int end) {
     const float* base = state_.base_m.row(canvas_y) + plan.box.x;
     const float* depth = state_.depth_m.row(canvas_y) + plan.box.x;
     const std::uint32_t* stroke = state_.stroke.row(canvas_y) + plan.box.x;
+    print_.row(tip, 0, {weight_.data() + at, static_cast<std::size_t>(plan.box.width)});
     RowSums sums;
     TouchedCells touched{plan.box.width, 0};
     for (int x = 0; x < plan.box.width; ++x) {
-      const float s = stamp_value(level, tip.u(x), tip.v(x));
-      weight_[at + static_cast<std::size_t>(x)] = s;
+      const float s = weight_[at + static_cast<std::size_t>(x)];
       touch_[at + static_cast<std::size_t>(x)] = stamp_touch(plan, grip, s, tip.v(x));
       if (!(s > 0)) continue;
       touched.begin = std::min(touched.begin, x);

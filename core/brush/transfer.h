@@ -16,6 +16,7 @@
 #include "core/brush/stamp_observer.h"
 #include "core/brush/stamp_plan.h"
 #include "core/brush/tip.h"
+#include "core/brush/tip_print.h"
 #include "core/canvas_state.h"
 #include "core/fluid/brush_contact.h"
 #include "core/layers/layer_row.h"
@@ -101,6 +102,7 @@ class Transfer {
   StampObserver* observer_ = nullptr;
 
   // Scratch of one stamp, over its box.
+  TipPrint print_;
   std::vector<float> weight_;      // value of the tip per cell
   std::vector<float> share_;       // the same after contact levelling
   std::vector<float> touch_;       // how hard the hairs hold, [0,2] per cell

@@ -21,7 +21,7 @@ struct Lock::Job {
 namespace {
 constexpr int kSmoothings = 3;
 constexpr float kClose = 1e-6f;     // a float's mean of a block is not known better
-constexpr float kMostSmoothed = 4;  // ratios beyond would drag their neighbours along
+constexpr float kMostSmoothed = 2;  // ratios beyond would drag their neighbours along
 constexpr float kMostScaled = 16;   // blocks that owe more are filled
 constexpr int kCellsPerTask = 16384;
 
@@ -161,7 +161,8 @@ void Lock::find_ratios(const Job& job, const Group& group, std::size_t s, int pa
       const float r = c.wanted / c.held;
       if (pass == 0) count_ratio(r, counted_[s]);
       if (r > 1 - kClose && r < 1 + kClose) continue;
-      ratio[i] = std::clamp(r, 1 / kMostSmoothed, kMostSmoothed);
+      if (r < 1 / kMostSmoothed || r > kMostSmoothed) continue;
+      ratio[i] = r;
       off_[s] = 1;
     }
   }

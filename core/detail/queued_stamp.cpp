@@ -53,7 +53,7 @@ void QueuedStamp::lift(const StampPlan& plan, const CanvasState& guide, const De
   cells_ = cells_of(plan, fine, k);
   blocks_ = {cells_.x / k, (cells_.x + cells_.width + k - 1) / k, cells_.y / k,
              (cells_.y + cells_.height + k - 1) / k};
-  tip_.draw(plan, std::sqrt(fine.dx_m() * fine.dy_m()));
+  tip_.draw_swept(plan, std::sqrt(fine.dx_m() * fine.dy_m()));
   layers_.assign(
       static_cast<std::size_t>(blocks_.width()) * static_cast<std::size_t>(blocks_.height()), {});
   std::vector<float> total(static_cast<std::size_t>(guide.layers));

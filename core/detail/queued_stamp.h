@@ -8,7 +8,7 @@
 #include "core/brush/stamp_plan.h"
 #include "core/detail/block_layers.h"
 #include "core/detail/detail_layout.h"
-#include "core/detail/swept_tip.h"
+#include "core/brush/tip_print.h"
 
 namespace pentimento {
 
@@ -30,7 +30,7 @@ class QueuedStamp {
   void lay(const StampPlan& plan, const CanvasState& guide);
 
   const StampPlan& plan() const { return plan_; }
-  const SweptTip& tip() const { return tip_; }
+  const TipPrint& tip() const { return tip_; }
   const HairTable& grip() const { return grip_; }
   /// False: it only lifts.
   bool lays() const { return lays_; }
@@ -51,7 +51,7 @@ class QueuedStamp {
   PaintLoad load_;
   Reservoir reservoir_;
   HairTable grip_;
-  SweptTip tip_;
+  TipPrint tip_;
   CellBox cells_;
   GuideBox blocks_;
   std::vector<BlockLayers> layers_;  // per block, row by row

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstdint>
 
+#include "core/fluid/conservative/claim_cells.h"
 #include "core/fluid/conservative/contact_line.h"
 #include "core/fluid/conservative/face_row.h"
 #include "core/fluid/conservative/force_row.h"
@@ -120,6 +121,7 @@ void ConservativeScheme::transport(CanvasState& state, const StepInput& in, bool
     move_paint(state, in, axis, *tiles_);
     passed(axis == Axis::kX ? "paint_x" : "paint_y");
   }
+  claim_cells(state, tiles_->runs(), in.threads);
   if (in.follower == nullptr) return;
   in.follower->edges().x_first = even;
   in.follower->moved(state, in, tiles_->runs());

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "core/brush/tip_print.h"
 #include "core/optics/pigment_library.h"
 #include "core/simulation.h"
 #include "tests/core/idle_follower.h"
@@ -47,13 +48,16 @@ class SecondCanvas : public test::IdleFollower {
         after(x, y) = canvas.depth_m(x / finer_, y / finer_);
     const CellBox box = box_of(plan.pose, plan.extent, geometry_);
     std::vector<float> paint(static_cast<std::size_t>(plan.stride));
-    const TipLevel& level = stamp_tip_level(plan, std::sqrt(geometry_.dx_m() * geometry_.dy_m()));
+    TipPrint print;
+    print.draw_cells(plan, std::sqrt(geometry_.dx_m() * geometry_.dy_m()));
+    std::vector<float> values(static_cast<std::size_t>(box.width));
     for (int j = 0; j < box.height; ++j) {
       const int y = box.y + j;
       const TipRow tip = tip_row(plan.pose, box, geometry_, y);
+      print.row(tip, 0, values);
       for (int i = 0; i < box.width; ++i) {
         const int x = box.x + i;
-        const float value = stamp_value(level, tip.u(i), tip.v(i));
+        const float value = values[static_cast<std::size_t>(i)];
         const float height_m =
             canvas.base_m(x / finer_, y / finer_) + canvas.depth_m(x / finer_, y / finer_);
         const float share = stamp_levelled(plan, value, height_m) * plan.share_scale;

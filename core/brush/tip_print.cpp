@@ -1,7 +1,8 @@
-#include "core/detail/swept_tip.h"
+#include "core/brush/tip_print.h"
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "core/fluid/conservative/kernel.h"
 
@@ -9,6 +10,7 @@ namespace pentimento {
 
 namespace {
 constexpr int kMostPrints = 8;
+constexpr float kTexelsPerCell = 3;
 constexpr int kRim = 2;  // zeros that positions outside are led to
 
 PENTIMENTO_KERNEL
@@ -30,6 +32,32 @@ void add_shifted_row(const float* top, const float* bottom, const float* w, int 
     out[i] += (a * top[i] + b * top[i + 1]) + (c * bottom[i] + d * bottom[i + 1]);
 }
 
+/// out[i] = sum of weight[j] in[i + j]
+PENTIMENTO_KERNEL
+void filter_row(const float* in, const float* weight, int taps, int n, float* __restrict out) {
+  for (int i = 0; i < n; ++i) out[i] = weight[0] * in[i];
+  for (int j = 1; j < taps; ++j)
+    for (int i = 0; i < n; ++i) out[i] += weight[j] * in[i + j];
+}
+
+PENTIMENTO_KERNEL
+void add_weighted_row(float weight, const float* in, int n, float* __restrict out) {
+  for (int i = 0; i < n; ++i) out[i] += weight * in[i];
+}
+
+/// What a box of `width` texels takes of each texel around its middle one.
+std::vector<float> box_weights(float width) {
+  const float half = 0.5f * width;
+  const int reach = static_cast<int>(std::ceil(half - 0.5f));
+  std::vector<float> weight;
+  for (int i = -reach; i <= reach; ++i) {
+    const float at = std::abs(static_cast<float>(i));
+    weight.push_back(std::clamp(half - at + 0.5f, 0.0f, 1.0f) / width);
+  }
+  if (reach == 0) weight[0] = 1;
+  return weight;
+}
+
 /// Positions of a row of cells in the map, in texels.
 struct MapRow {
   float x0, y0, dx, dy;
@@ -39,7 +67,7 @@ struct MapRow {
 PENTIMENTO_KERNEL
 void read_row(const float* map, int stride, const MapRow& at, int first, int n,
               float* __restrict out) {
-  constexpr float kFaintest = 1e-3f;  // as stamp_value()
+  constexpr float kFaintest = 1e-3f;
   const MapRow r = at;
   for (int i = 0; i < n; ++i) {
     const float x = r.x0 + r.dx * static_cast<float>(first + i);
@@ -56,17 +84,19 @@ void read_row(const float* map, int stride, const MapRow& at, int first, int n,
   }
 }
 
+/// At least size x size values, those zero; a larger map stays, so that stamps in turn need no
+/// memory of their own.
 void make_room(Field<float>& map, int size) {
-  if (map.width() == size) {
-    map.fill(0.0f);
-  } else {
+  if (map.width() < size) {
     map = Field<float>(size, size);
+    return;
   }
+  for (int y = 0; y < size; ++y) std::fill_n(map.row(y), size, 0.0f);
 }
 }  // namespace
 
 /// The pressed and dried tip, with the margin around it.
-void SweptTip::blend(const TipLevel& level) {
+void TipPrint::blend(const TipLevel& level) {
   const int start = margin_ - 1;  // the tip's own maps have a rim of one zero
   for (int j = 0; j < size_ + 2; ++j) {
     float* out = still_.row(start + j) + start;
@@ -79,13 +109,13 @@ void SweptTip::blend(const TipLevel& level) {
 }
 
 /// map(x) += weight still(x + shift)
-void SweptTip::add_print(float u_texels, float v_texels, float weight) {
+void TipPrint::add_print(float u_texels, float v_texels, float weight) {
   const float fu = std::floor(u_texels), fv = std::floor(v_texels);
   const int iu = static_cast<int>(fu), iv = static_cast<int>(fv);
   const float tu = u_texels - fu, tv = v_texels - fv;
   const float w[4] = {weight * (1 - tu) * (1 - tv), weight * tu * (1 - tv), weight * (1 - tu) * tv,
                       weight * tu * tv};
-  const int width = map_.width();
+  const int width = width_;
   const int x0 = std::max(kRim, -iu), x1 = std::min(width - kRim, width - 1 - iu);
   const int y0 = std::max(kRim, -iv), y1 = std::min(width - kRim, width - 1 - iv);
   for (int y = y0; y < y1; ++y)
@@ -93,7 +123,40 @@ void SweptTip::add_print(float u_texels, float v_texels, float weight) {
                     map_.row(y) + x0);
 }
 
-void SweptTip::draw(const StampPlan& plan, float cell_m) {
+/// map = still * box of `texels`.
+void TipPrint::average(float texels) {
+  const std::vector<float> weight = box_weights(texels);
+  const int taps = static_cast<int>(weight.size()), reach = taps / 2;
+  const int width = width_, n = width - 2 * reach;
+  for (int y = reach; y < width - reach; ++y) {
+    filter_row(still_.row(y), weight.data(), taps, n, map_.row(y) + reach);
+  }
+  std::swap(still_, map_);
+  make_room(map_, width_);
+  for (int y = reach; y < width - reach; ++y)
+    for (int j = 0; j < taps; ++j)
+      add_weighted_row(weight[static_cast<std::size_t>(j)], still_.row(y + j - reach), width,
+                       map_.row(y));
+}
+
+void TipPrint::draw_cells(const StampPlan& plan, float cell_m) {
+  const TipLevel level = stamp_tip_level(plan, cell_m / kTexelsPerCell);
+  size_ = level.low->size();
+  const float texels = cell_m / plan.pose.diameter_m * static_cast<float>(size_);
+  const float box = std::sqrt(std::max(0.0f, texels * texels - 3));
+  margin_ = kRim + 1 + static_cast<int>(std::ceil(box)) + 1;
+  width_ = size_ + 2 * margin_;
+  make_room(still_, width_);
+  make_room(map_, width_);
+  blend(level);
+  if (box > 0) {
+    average(box);
+  } else {
+    std::swap(still_, map_);
+  }
+}
+
+void TipPrint::draw_swept(const StampPlan& plan, float cell_m) {
   const TipLevel level = stamp_tip_level(plan, cell_m);
   size_ = level.low->size();
   const float travel_m = plan.stamp.travel_m;
@@ -106,23 +169,24 @@ void SweptTip::draw(const StampPlan& plan, float cell_m) {
   const float first = -0.5f * static_cast<float>(prints - 1);
   const float reach = std::max(std::abs(first * du), std::abs(first * dv));
   margin_ = kRim + 2 + static_cast<int>(reach);
-  make_room(still_, size_ + 2 * margin_);
+  width_ = size_ + 2 * margin_;
+  make_room(still_, width_);
   blend(level);
   if (prints == 1) {
     std::swap(still_, map_);
     return;
   }
-  make_room(map_, size_ + 2 * margin_);
+  make_room(map_, width_);
   for (int i = 0; i < prints; ++i) {
     const float at = first + static_cast<float>(i);
     add_print(at * du, at * dv, 1 / static_cast<float>(prints));
   }
 }
 
-void SweptTip::row(const TipRow& tip, int first, std::span<float> out) const {
+void TipPrint::row(const TipRow& tip, int first, std::span<float> out) const {
   const float size = static_cast<float>(size_);
   const float middle = 0.5f * size - 0.5f + static_cast<float>(margin_);
-  const float last = static_cast<float>(map_.width() - 2);
+  const float last = static_cast<float>(width_ - 2);
   read_row(
       map_.row(0), static_cast<int>(map_.view().stride()),
       {tip.u0 * size + middle, tip.v0 * size + middle, tip.du * size, tip.dv * size, last, last},
