@@ -27,10 +27,10 @@ TEST(Refinement, ReducesToTheGuide) {
   }
 }
 
-// What the lock has to put right: the guide spreads a stroke by half of its own cells at the edges,
-// the finer canvas by half of its. At most 5 % of the depth and 10 % of a pigment in thick paint.
-// A prototype of the poster came to 35 to 40 dB in thick paint and 28 to 33 dB in glazes: nothing
-// may be further off than its worst. Measured: 36.8 to 40.1 dB, in glazes 32.1 to 40.7 dB.
+// What the lock has to put right: mostly that the guide's cells level and move as one. At most 5 % of
+// the depth and 10 % of a pigment in thick paint. A prototype of the poster came to 35 to 40 dB in
+// thick paint and 28 to 33 dB in glazes: this one is to be closer, beyond the better half of the
+// former and the best of the latter. Measured: 39.4 to 48.4 dB, in glazes 34.6 to 38.9 dB.
 void expect_near_the_guide(test::Painted& painted, double psnr_db) {
   painted.cross();
   const CanvasState& guide = painted.sim().state();
@@ -41,7 +41,7 @@ void expect_near_the_guide(test::Painted& painted, double psnr_db) {
 
 TEST(Refinement, IsNearTheGuideEvenUnlocked) {
   test::Painted painted(128, 4, 1, false);
-  expect_near_the_guide(painted, 35);
+  expect_near_the_guide(painted, 38);
   const CanvasState& guide = painted.sim().state();
   for (int c = -1; c < guide.channels; ++c)
     EXPECT_LT(test::reduced_difference(painted.refinement().canvas(), guide, c).relative_l2,
@@ -55,7 +55,7 @@ TEST(Refinement, IsNearTheGuideEvenUnlockedInGlazes) {
   thin.medium_frac = 1.0f;
   thin.pigment_frac = 0.05f;
   painted.sim().set_settings(thin);
-  expect_near_the_guide(painted, 28);
+  expect_near_the_guide(painted, 33);
 }
 
 TEST(Refinement, LeavesTheGuideAlone) {
