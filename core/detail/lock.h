@@ -28,8 +28,8 @@ class Lock {
   Lock(const DetailLayout& layout, int layers);
 
   /// Locks blocks (ChangedBlocks::strips()) to the guide; the others are locked already.
-  ///   3 times: r = guide / block mean, 1 where either is 0 or beyond
-  ///            [1/2, 2]; value *= bilinear r
+  ///   3 times: r = guide / block mean, 1 where either is 0 or r beyond [1/2, 2];
+  ///            value *= bilinear r
   ///   then value *= guide / block mean, whatever that is; blocks that owe more than 16 times what
   ///   they hold are filled (owed_blocks.h)
   /// per layer of a pigment; of its sum over layers, the same ratio for all, where the layers do
