@@ -60,6 +60,16 @@ TEST(ExrWriter, HalfChannelsAreTheNearestHalf) {
     }
 }
 
+TEST(ExrWriter, FullFloatsAreCompressedByRuns) {
+  const Scratch scratch;
+  ExrOptions options;
+  options.full_float = true;
+  ASSERT_TRUE(write_exr(scratch.path("a.exr"), test::made_up_planes(20, 10, 4), options, 10));
+  const auto [status, text] = test::run("exrheader " + scratch.path("a.exr"));
+  EXPECT_EQ(status, 0) << text;
+  EXPECT_NE(text.find("compression (type compression): run-length"), std::string::npos) << text;
+}
+
 TEST(ExrWriter, ExrheaderFindsWhatWeSaid) {
   const Scratch scratch;
   ExrOptions options;
