@@ -101,7 +101,8 @@ double largest_mean_error() {
 
 class LightProbe : public testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Files, LightProbe,
-                         testing::Values("sunset.exr", "studio.hdr", "city.exr", "studio.exr"));
+                         testing::Values("sunset.exr", "forest.exr", "studio.hdr", "city.exr",
+                                         "studio.exr"));
 
 // Our own error: none but rounding. The other path has no harmonics in it: every pixel through the
 // truncated cosine (the addition theorem).
