@@ -263,7 +263,8 @@ Result<JobReport> render(const RenderJob& job, const Control& control) {
   }
   Result<LogSession> session = open_session(job, control);
   if (!session) return session.error();
-  Result<PaintSurvey> survey = survey_paint(*session, DetailCost());
+  Result<PaintSurvey> survey = PaintSurvey{};
+  if (session->detail > 1) survey = survey_paint(*session, DetailCost());  // else nothing follows it
   if (!survey) return survey.error();
   if (Result<void> fits = check_memory(job, *session, *survey); !fits) return fits.error();
   Replay replay(job, *session, control, watch);

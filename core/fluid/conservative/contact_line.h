@@ -30,16 +30,20 @@ class ContactLine {
                 float* friction_frac) const;
 
  private:
-  struct Tap {
-    int x, y;  // cells from the one on the face's upper or left side
-    float weight;
+  /// One row of the neighbourhood of a face: cells [x0, x1] from the one on its upper or left side.
+  struct TapRow {
+    int y, x0, x1;
+    std::vector<float> weight;
   };
-  static std::vector<Tap> taps_around(float from_x, float from_y, float reach_m, float dx_m,
-                                      float dy_m);
-  static float mean_depth(const Field<float>& depth_m, const std::vector<Tap>& taps, int x, int y);
+  struct Taps {
+    std::vector<TapRow> row;
+    float total = 0;
+  };
+  static Taps taps_around(float from_x, float from_y, float reach_m, float dx_m, float dy_m);
+  static float mean_depth(const Field<float>& depth_m, const Taps& taps, int x, int y);
 
   float depth_m_;
-  std::vector<Tap> taps_x_, taps_y_;
+  Taps taps_x_, taps_y_;
 };
 
 }  // namespace pentimento::conservative
