@@ -14,8 +14,7 @@ PALETTE = {"sepia": ("#5a3420", 0.5), "blue": ("#23427c", 0.5), "red": ("#a8281e
 
 
 def main():
-    p = easel("runs", "Runs under gravity", PALETTE, seed=14,
-              model={"friction_viscosity_floor": 0.0004})
+    p = easel("runs", "Runs under gravity", PALETTE, seed=14)
     p.brush("flat", size=0.026, medium=0.7, pigment=0.17)  # thin: much medium, little pigment
     for n, colour in enumerate(("sepia", "blue", "red")):
         p.color(colour)
@@ -33,7 +32,7 @@ def main():
         p.stroke([(0.3, y), (0.38, y - 0.012), (0.47, y + 0.006)], speed=0.3, pressure=0.95)
     p.recording.event("mark", name="painted")
     p.recording.wait(0.3)
-    turn_tablet(p.recording, [(0, 0), (1.0, 75), (5.0, 75)])
+    turn_tablet(p.recording, [(0, 0), (1.0, 75), (9.0, 75)])
     p.recording.event("mark", name="end")
     p.recording.write(output_path(HERE / "runs.jsonl"))
 
