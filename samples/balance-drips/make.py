@@ -42,13 +42,13 @@ def main():
         palette=[{"name": n, "color": c, "opacity": o} for n, c, o in PALETTE],
         paper={"texture": "linen", "relief": 0.0004, "scale": 0.12,
                "reflectance": [0.8, 0.78, 0.72]},
-        model={"scheme": "conservative", "friction_viscosity_floor": 0.0006},
+        model={"scheme": "conservative"},
         title="Picked up", recorded_by="samples/balance-drips/make.py")
     painter = Painter(recording, seed=7)
     accelerations = list(read_accelerations())
     recording.event("gravity", **dict(zip("xyz", (rounded(a, 3) for a in accelerations[0][1:]))))
     recording.wait(0.2)
-    painter.brush("round", size=0.045, medium=1.0, pigment=0.19)
+    painter.brush("round", size=0.04, medium=0.75, pigment=0.15)
     for n in range(15):
         painter.color(PALETTE[n % 4][0])
         row, column = divmod(n, 5)
