@@ -50,8 +50,8 @@ struct ReflectionMap {
   bool mirror = true;
 };
 
-/// A light probe as the gloss of paint shows it (gloss_table.h): an equirectangular panorama, linear
-/// RGB, row 0 on top; empty = the gloss shows the nine harmonics of the environment.
+/// A light probe as the gloss of paint shows it (gloss_table.h): an equirectangular panorama,
+/// linear RGB, row 0 on top; empty = the gloss shows the nine harmonics of the environment.
 using LightProbe = std::array<Field<float>, 3>;
 
 inline constexpr int kMostLamps = 7;
