@@ -24,8 +24,8 @@ light() {
   relit raking --light=1,0.1,0.25
   relit bare --light=1,0.1,0.25 --occlusion 0
   relit studio --environment "$probes/studio.hdr" --lamp dir:-1,1,1,0.2 --varnish 1 --exposure 1.5
-  relit probe --environment "$probes/city.exr" --lamp dir:-1,1,1,0 --exposure=-1
-  relit probe-soft --environment "$probes/city.exr" --lamp dir:-1,1,1,0 --exposure=-1 \
+  relit probe --environment "$probes/studio.exr" --lamp dir:-1,1,1,0 --exposure 0.7
+  relit probe-soft --environment "$probes/studio.exr" --lamp dir:-1,1,1,0 --exposure 0.7 \
     --soft-environment
 }
 
