@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "core/brush/stamp_plan.h"
+#include "core/brush/tip_print.h"
 #include "core/detail/block_layers.h"
 #include "core/detail/detail_layout.h"
-#include "core/brush/tip_print.h"
 
 namespace pentimento {
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/detail/dry_detail.h"
+#include "core/detail/gather_edges.h"
 #include "core/detail/level_detail.h"
 #include "core/detail/move_detail.h"
 #include "core/detail/moving_blocks.h"
@@ -33,6 +34,7 @@ Refinement::Refinement(RefinementSetup setup, const DetailGround& ground, TileSt
       lock_(canvas_.layout(), setup_.layers),
       edges_(setup_.guide, setup_.layers),
       changed_(canvas_.layout()),
+      left_(canvas_.layout()),
       moving_(canvas_.layout()),
       locked_(static_cast<std::size_t>(canvas_.layout().tiles()), -1) {}
 
@@ -40,6 +42,7 @@ void Refinement::lay(const StampPlan& plan, const CanvasState& guide) {
   stamp_.lift(plan, guide);
   const GuideBox& box = stamp_.box();
   changed_.add({box.x0 - 1, box.x1 + 1, box.y0 - 1, box.y1 + 1});
+  left_.stamped(box, plan.stamp.direction);
 }
 
 void Refinement::laid(const StampPlan& plan, const CanvasState& guide) {
@@ -66,6 +69,7 @@ void Refinement::moved(const CanvasState& guide, const StepInput& in,
 
 void Refinement::stepped(const CanvasState& guide, const StepInput&) {
   stamp_.finish();
+  gather_left_edges(guide);
   ++steps_;
   if (!changed_.empty()) {
     for (const int t : changed_.tiles()) {
@@ -80,6 +84,13 @@ void Refinement::stepped(const CanvasState& guide, const StepInput&) {
     canvas_.trim();
   }
   free_idle_planes(guide);
+}
+
+/// The edges of what the brush has left; the lock then finds what rounding did to them.
+void Refinement::gather_left_edges(const CanvasState& guide) {
+  const std::vector<LeftBlock> left = left_.step();
+  gather_edges(canvas_, guide, left, threads_);
+  for (const LeftBlock& block : left) changed_.add(block.at.y, block.at.x0, block.at.x1);
 }
 
 /// Wet planes in which nothing is left.
@@ -105,6 +116,7 @@ void Refinement::cleared() {
   for (const int t : idle_) locked_[static_cast<std::size_t>(t)] = -1;
   idle_.clear();
   changed_.clear();
+  left_.clear();
 }
 
 void Refinement::restored(const CanvasState& guide) {

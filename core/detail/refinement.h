@@ -9,6 +9,7 @@
 #include "core/detail/changed_blocks.h"
 #include "core/detail/detail_canvas.h"
 #include "core/detail/detail_stamp.h"
+#include "core/detail/left_blocks.h"
 #include "core/detail/lock.h"
 #include "core/threads.h"
 
@@ -46,6 +47,7 @@ class Refinement : public CanvasFollower {
   const LockStatistics& lock_statistics() const { return lock_.statistics(); }
 
  private:
+  void gather_left_edges(const CanvasState& guide);
   void free_idle_planes(const CanvasState& guide);
 
   RefinementSetup setup_;
@@ -55,7 +57,8 @@ class Refinement : public CanvasFollower {
   Lock lock_;
   PaintEdges edges_;
   ChangedBlocks changed_;  // since the last lock, and their neighbours
-  ChangedBlocks moving_;   // in this part of a step
+  LeftBlocks left_;
+  ChangedBlocks moving_;  // in this part of a step
   // When each tile was last locked; tiles locked since they were last looked through.
   std::int64_t steps_ = 0;
   std::vector<std::int64_t> locked_;

@@ -27,9 +27,9 @@ TEST(Refinement, ReducesToTheGuide) {
   }
 }
 
-// What the lock has to put right: mostly that the guide's cells level and move as one. At most 5 % of
-// the depth and 10 % of a pigment in thick paint. A prototype of the poster came to 35 to 40 dB in
-// thick paint and 28 to 33 dB in glazes: this one is to be closer, beyond the better half of the
+// What the lock has to put right: mostly that the guide's cells level and move as one. At most 5 %
+// of the depth and 10 % of a pigment in thick paint. A prototype of the poster came to 35 to 40 dB
+// in thick paint and 28 to 33 dB in glazes: this one is to be closer, beyond the better half of the
 // former and the best of the latter. Measured: 39.4 to 48.4 dB, in glazes 34.6 to 38.9 dB.
 void expect_near_the_guide(test::Painted& painted, double psnr_db) {
   painted.cross();

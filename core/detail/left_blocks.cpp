@@ -1,0 +1,42 @@
+#include "core/detail/left_blocks.h"
+
+#include <algorithm>
+
+namespace pentimento {
+
+void LeftBlocks::stamped(const GuideBox& box, Vec2f way) {
+  for (int y = box.y0; y < box.y1; ++y) {
+    for (int x = box.x0; x < box.x1; ++x) {
+      if (mark_(x, y) == kNone) cells_.push_back({y, x});
+      mark_(x, y) = kNow;
+      way_(x, y) = way;
+    }
+  }
+}
+
+std::vector<LeftBlock> LeftBlocks::step() {
+  std::vector<LeftBlock> left;
+  std::vector<Cell> stay;
+  std::sort(cells_.begin(), cells_.end());
+  for (const Cell& c : cells_) {
+    std::uint8_t& mark = mark_(c.x, c.y);
+    if (mark == kNow) {
+      mark = kBefore;
+      stay.push_back(c);
+    } else {
+      mark = kNone;
+      const int blocks = layout_.blocks();
+      left.push_back(
+          {{layout_.tile_of(c.x / blocks, c.y / blocks), c.y, c.x, c.x + 1}, way_(c.x, c.y)});
+    }
+  }
+  cells_ = std::move(stay);
+  return left;
+}
+
+void LeftBlocks::clear() {
+  for (const Cell& c : cells_) mark_(c.x, c.y) = kNone;
+  cells_.clear();
+}
+
+}  // namespace pentimento

@@ -1,0 +1,46 @@
+#pragma once
+// Which cells of the guide the brush has just left: fresh paint that nothing works on any more.
+
+#include <cstdint>
+#include <vector>
+
+#include "core/detail/changed_blocks.h"
+#include "core/detail/detail_layout.h"
+#include "core/field.h"
+#include "core/vec.h"
+
+namespace pentimento {
+
+struct LeftBlock {
+  BlockStrip at;  // one block
+  Vec2f way;      // of the last stamp over it: a unit vector, or (0, 0) for a tap
+};
+
+/// Not thread-safe.
+class LeftBlocks {
+ public:
+  explicit LeftBlocks(const DetailLayout& layout)
+      : layout_(layout),
+        mark_(layout.guide().width, layout.guide().height),
+        way_(layout.guide().width, layout.guide().height) {}
+
+  /// A stamp was over the cells of `box`, which lies on the canvas, on its way along `way`.
+  void stamped(const GuideBox& box, Vec2f way);
+  /// Ends a step. The cells that were stamped before it and not in it, by rows.
+  std::vector<LeftBlock> step();
+  void clear();
+
+ private:
+  enum Mark : std::uint8_t { kNone, kBefore, kNow };
+  struct Cell {
+    int y, x;
+    auto operator<=>(const Cell&) const = default;
+  };
+
+  DetailLayout layout_;
+  Field<std::uint8_t> mark_;
+  Field<Vec2f> way_;
+  std::vector<Cell> cells_;  // that have a mark
+};
+
+}  // namespace pentimento
