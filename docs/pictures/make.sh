@@ -30,10 +30,10 @@ light() {
 }
 
 debug() {
-  run render "$samples/runs/runs.jsonl" --at 5 -o "$work/runs.h5"
-  run relight "$work/runs.h5" --crop 0,0,400,240 -o "$pictures/debug-lit.png"
+  run render "$samples/runs/runs.jsonl" --at 13 -o "$work/runs.h5"
+  run relight "$work/runs.h5" --crop 20,120,400,240 -o "$pictures/debug-lit.png"
   for view in height velocity pigment layers wetness; do
-    run relight "$work/runs.h5" --debug-view "$view" --crop 0,0,400,240 \
+    run relight "$work/runs.h5" --debug-view "$view" --crop 20,120,400,240 \
       -o "$pictures/debug-$view.png"
   done
 }
