@@ -16,6 +16,7 @@ import jsonschema
 
 SAMPLES, SCHEMA, COMMAND = (pathlib.Path(argument) for argument in sys.argv[1:4])
 LARGEST_FILE = 2_000_000  # bytes: the repository stays small
+LARGEST_PICTURE = 400_000
 EVERY_TOUCH = 25  # of the touches, how many go through the (slow) schema; the command reads all
 
 
@@ -78,6 +79,10 @@ class SamplesTest(unittest.TestCase):
         for file in SAMPLES.rglob("*"):
             if file.is_file():
                 self.assertLess(file.stat().st_size, LARGEST_FILE, file)
+        for picture in SAMPLES.parent.glob("samples/*/*.png"):
+            self.assertLess(picture.stat().st_size, LARGEST_PICTURE, picture)
+        for picture in SAMPLES.parent.glob("docs/pictures/*"):
+            self.assertLess(picture.stat().st_size, LARGEST_PICTURE, picture)
 
     def test_recordings_of_others_name_their_licence(self):
         for folder in (SAMPLES / "data").iterdir():
