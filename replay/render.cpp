@@ -206,7 +206,8 @@ Result<void> Replay::write(const std::vector<PlannedOutput>& files) {
   watch_.start("hash");
   const CanvasView view = make_canvas_view(*simulation_, fine_.get(), session_.detail);
   report_.guide_sha256 = state_sha256(simulation_->state());
-  report_.state_sha256 = view.detail > 1 ? state_sha256(*view.canvas, threads_) : report_.guide_sha256;
+  report_.state_sha256 =
+      view.detail > 1 ? state_sha256(*view.canvas, threads_) : report_.guide_sha256;
   if (Result<void> looked = lighting_.look(player_->steps()); !looked) return looked;
   Lighting lighting = clone_lighting(lighting_.lighting());
   light_.apply(lighting);
@@ -264,7 +265,8 @@ Result<JobReport> render(const RenderJob& job, const Control& control) {
   Result<LogSession> session = open_session(job, control);
   if (!session) return session.error();
   Result<PaintSurvey> survey = PaintSurvey{};
-  if (session->detail > 1) survey = survey_paint(*session, DetailCost());  // else nothing follows it
+  if (session->detail > 1)
+    survey = survey_paint(*session, DetailCost());  // else nothing follows it
   if (!survey) return survey.error();
   if (Result<void> fits = check_memory(job, *session, *survey); !fits) return fits.error();
   Replay replay(job, *session, control, watch);

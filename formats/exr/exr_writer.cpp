@@ -93,8 +93,8 @@ bool is_tiled(const ExrOptions& options) {
 
 Imf::Header make_header(const ExrOptions& options) {
   Imf::Header header(options.width, options.height);
-  // The last bits of a rendered float are noise: wavelets take eight times as long for a tenth less.
-  // Runs are what empty layers have.
+  // The last bits of a rendered float are noise: wavelets take eight times as long for a tenth
+  // less. Runs are what empty layers have.
   header.compression() = options.full_float ? Imf::RLE_COMPRESSION : Imf::PIZ_COMPRESSION;
   if (is_tiled(options)) header.setTileDescription(Imf::TileDescription(kTile, kTile));
   for (const std::string& name : options.channels)

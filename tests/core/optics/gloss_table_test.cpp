@@ -74,8 +74,8 @@ TEST_P(GlossOfRoughness, IsTheMeanOfTheProbeOverTheLobe) {
     }
   }
   // Down to 0.16 of roughness every pixel counts for itself: rounding of single precision. Rougher
-  // surfaces take the probe's half, whose pixels are at most 0.4 a wide: a lobe of width 2 a changes
-  // by (0.4 a)^2 / 24 times its second derivative, 1 / a^2, within one: 0.7 %.
+  // surfaces take the probe's half, whose pixels are at most 0.4 a wide: a lobe of width 2 a
+  // changes by (0.4 a)^2 / 24 times its second derivative, 1 / a^2, within one: 0.7 %.
   EXPECT_LT(largest, a > 0.2 ? 0.007 : 2e-6) << a;
 }
 
