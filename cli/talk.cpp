@@ -11,7 +11,8 @@
 namespace pentimento::cli {
 
 namespace {
-constexpr std::array<std::string_view, 3> kLeftOut = {"-o", "--output", "--progress"};
+constexpr std::array<std::string_view, 6> kLeftOut = {"-o",        "--output",       "--progress",
+                                                      "--threads", "--memory-limit", "--scratch"};
 constexpr std::array<std::string_view, 4> kLeftOutFlags = {"--json", "--quiet", "--no-clobber",
                                                            "--dry-run"};
 

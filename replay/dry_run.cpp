@@ -46,18 +46,20 @@ double seconds_per_cell_step(const LogSession& session, int thread_count) {
 }
 
 constexpr double kStart_s = 0.5;       // the programme, OpenGL, the shader's compilation
-constexpr double kLargeCanvas = 1.65;  // a cell of a canvas that no cache holds, against the small
+constexpr double kLargeCanvas = 2.2;  // a cell of a canvas that no cache holds, against the small
 
 /// Guide, finer canvas and pictures, from what a cell takes in a step here.
 double seconds(const LogSession& session, const PaintSurvey& survey, const RenderJob& job,
                const OutputSize& size, double cell_step_s) {
   const DetailCost cost;
-  const double guide = survey.awake_cell_steps + survey.stamped_cells * cost.guide_stamp;
+  const auto stamps = static_cast<double>(survey.stamps);
+  const double guide =
+      survey.awake_cell_steps + survey.stamped_cells * cost.stamped_cell + stamps * cost.stamp;
   const double fine = static_cast<double>(session.detail) * session.detail;
   const double detail = session.detail > 1
                             ? fine * (survey.awake_cell_steps * cost.moved_cell_steps +
                                       survey.stamped_cells * cost.stamped_cell_steps) +
-                                  static_cast<double>(survey.stamps) * cost.fine_stamp
+                                  stamps * cost.fine_stamp
                             : 0;
   const double cells = fine * session.grid.width * session.grid.height;
   const double pixels = static_cast<double>(size.width) * size.height;

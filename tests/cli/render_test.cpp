@@ -96,12 +96,13 @@ TEST(CommandRender, AScratchFolderChangesNothing) {
   const Ran whole = place.run("render a.jsonl --scale 8 -o a.png -o a.h5 --json");
   ASSERT_EQ(whole.code, 0) << whole.err;
   EXPECT_NE(whole.out.find("\"lock\":{\"blocks\":"), std::string::npos) << whole.out;
+  const std::string picture = place.read("a.png"), state = place.read("a.h5");
   const Ran tight = place.run(
-      "render a.jsonl --scale 8 --scratch . --memory-limit 180M --threads 7 -o b.png -o b.h5");
+      "render a.jsonl --scale 8 --scratch . --memory-limit 180M --threads 7 -o a.png -o a.h5");
   ASSERT_EQ(tight.code, 0) << tight.err;
-  EXPECT_EQ(place.run("compare a.png b.png").code, 0);
-  EXPECT_EQ(place.run("compare a.h5 b.h5").code, 0);
-  EXPECT_EQ(place.files(), 5u);  // with the log: nothing is left of the scratch file
+  EXPECT_TRUE(place.read("a.png") == picture);
+  EXPECT_TRUE(place.read("a.h5") == state);
+  EXPECT_EQ(place.files(), 3u);  // with the log: nothing is left of the scratch file
 }
 
 TEST(CommandRender, ThePublishedFluidHasNoFinerCanvas) {
