@@ -45,7 +45,7 @@ double seconds_per_cell_step(const LogSession& session, int thread_count) {
   return elapsed_s / kSteps / (256.0 * 192.0);
 }
 
-constexpr double kStart_s = 0.5;       // the programme, OpenGL, the shader's compilation
+constexpr double kStart_s = 0.5;      // the programme, OpenGL, the shader's compilation
 constexpr double kLargeCanvas = 2.2;  // a cell of a canvas that no cache holds, against the small
 
 /// Guide, finer canvas and pictures, from what a cell takes in a step here.
