@@ -29,6 +29,17 @@ TEST(ModelFields, EveryFieldIsReadBackAsSet) {
   }
 }
 
+TEST(ModelFields, BoundsLieInTheirRangesOnceStored) {
+  for (const ModelField& field : model_fields())
+    for (const double bound : {field.min, field.max}) {
+      Model model;
+      set_model_value(field, model, bound);
+      EXPECT_EQ(value_problem(field, get_model_value(field, model)), "") << field.name;
+    }
+  EXPECT_NE(value_problem(*find_model_field("brush_push"), 0.6601), "");
+  EXPECT_NE(value_problem(*find_model_field("brush_push"), -1e-6), "");
+}
+
 TEST(ModelFields, NamesAreUniqueAcrossBothTables) {
   std::set<std::string_view> names;
   for (const ModelField& field : model_fields()) EXPECT_TRUE(names.insert(field.name).second);
