@@ -59,36 +59,30 @@ inline float stamp_touch(const StampPlan& plan, const HairTable& grip, float val
   return std::min(1.0f, value / plan.mean) * grip.at(v);
 }
 
-/// How far a cell is under the ends of a blade, which paint may pass, by the tip's value there.
-inline float stamp_blade_end(float value) {
-  return std::clamp((value - 0.65f) * 5, 0.0f, 1.0f);
-}
-
 struct CellHeight {
   float depth_m = 0;    // of the wet paint
   float surface_m = 0;  // its surface
 };
 
-/// Share of the weight that lift_row() takes (with plan.lift) where the tip's value is `value` and
-/// its hairs hold with `touch`: theirs, or, under a blade, what stands above its edge.
-inline float stamp_lift_weight(const StampPlan& plan, float touch, float value,
+/// Share of the weight that lift_row() takes (with plan.lift) where the tip's hairs hold with
+/// `touch`: theirs, or, under a blade, what stands above its edge. `end`: Tip::end_table().
+inline float stamp_lift_weight(const StampPlan& plan, float touch, float end,
                                const CellHeight& cell) {
   if (!(plan.scrape_frac > 0)) return touch;
   const float above = std::clamp(cell.surface_m - plan.scrape_height_m, 0.0f, cell.depth_m);
   const float scraped = cell.depth_m > 0 ? plan.scrape_frac * (above / cell.depth_m) : 0.0f;
-  return std::max(plan.pickup_frac * touch,
-                  std::min(touch, 1.0f) * scraped * (1 - stamp_blade_end(value)));
+  return std::max(plan.pickup_frac * touch, std::min(touch, 1.0f) * scraped * (1 - end));
 }
 
 /// Contact levelling (A22): less on bumps and more in hollows, in [0,2]. A blade fills up to its
 /// edge, over some 0.15 mm, but for its ends.
-inline float stamp_level_factor(const StampPlan& plan, float value, float height_m) {
+inline float stamp_level_factor(const StampPlan& plan, float end, float height_m) {
   const float above = height_m - static_cast<float>(plan.mean_height_m);
   const float level = std::clamp(1 - plan.level_per_m * above, 0.0f, 2.0f);
   if (!(plan.scrape_frac > 0)) return level;
   constexpr float kRoom_m = 1.5e-4f;
   const float room = std::clamp((plan.scrape_height_m - height_m) / kRoom_m, 0.0f, 1.0f);
-  return room + stamp_blade_end(value) * (level - room);
+  return room + end * (level - room);
 }
 
 /// Dry brush: 1 where the hairs reach down to `height_m`, 0 where they pass over it.
@@ -100,8 +94,8 @@ inline float stamp_caught(const StampPlan& plan, float height_m) {
 }
 
 /// The value where the canvas is `height_m` high, levelled and caught, before `share_scale`.
-inline float stamp_levelled(const StampPlan& plan, float value, float height_m) {
-  return value * stamp_level_factor(plan, value, height_m) * stamp_caught(plan, height_m);
+inline float stamp_levelled(const StampPlan& plan, float value, float end, float height_m) {
+  return value * stamp_level_factor(plan, end, height_m) * stamp_caught(plan, height_m);
 }
 
 /// Content laid at a cell, of the paint that the reservoir holds over it.

@@ -54,6 +54,7 @@ Tip::Tip(const BrushDefinition& brush) {
   }
   if (brush.shape != TipShape::kTexture) find_extent(widest);
   fill_tables(brush, seed);
+  fill_ends(widest);
   if (mean() > 0) list_texels(resample_area(widest, kReservoirColumns, kReservoirRows));
 }
 
@@ -94,6 +95,20 @@ void Tip::fill_tables(const BrushDefinition& brush, std::uint64_t seed) {
     for (int i = 0; i <= HairTable::kSteps; ++i)
       table[i] = hair_gives(2 * HairTable::at_step(i), density, seed);
     gives_.push_back(table);
+  }
+}
+
+void Tip::fill_ends(const Field<float>& widest) {
+  std::array<float, kMasterSize> most{};
+  for (int y = 0; y < kMasterSize; ++y)
+    for (const float value : widest.view().row_span(y))
+      most[static_cast<std::size_t>(y)] = std::max(most[static_cast<std::size_t>(y)], value);
+  for (int i = 0; i <= HairTable::kSteps; ++i) {
+    const float row = (HairTable::at_step(i) + 0.5f) * kMasterSize - 0.5f;
+    const float at = std::clamp(row, 0.0f, kMasterSize - 1.001f);
+    const std::size_t low = static_cast<std::size_t>(at);
+    const float value = most[low] + (at - static_cast<float>(low)) * (most[low + 1] - most[low]);
+    ends_[i] = std::clamp((value - 0.65f) * 5, 0.0f, 1.0f);
   }
 }
 

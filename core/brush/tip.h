@@ -107,8 +107,10 @@ class Tip {
   float mean(float press = 1) const;
   TipExtent extent() const { return extent_; }
   /// How strongly the hairs at v (tip coordinates) take hold: hair_grip(), interpolated.
-  float grip(float v) const { return grip_.at(v); }
   const HairTable& grip_table() const { return grip_; }
+  /// How far a place at v is under the ends of the tip, where a blade lets paint pass: 0 where its
+  /// value stays below 0.65, 1 from 0.85 on. Of v alone: it does not change along the stroke.
+  const HairTable& end_table() const { return ends_; }
   /// The reservoir's texels that the tip covers, and those that touch them.
   const std::vector<TipTexel>& texels() const { return texels_; }
   /// 1 for those, 0 for the others.
@@ -124,12 +126,13 @@ class Tip {
   void find_extent(const Field<float>& widest);
   void list_texels(const Field<float>& map);
   void fill_tables(const BrushDefinition& brush, std::uint64_t seed);
+  void fill_ends(const Field<float>& widest);
 
   std::vector<Press> presses_;  // evenly from 0 to 1; one alone is all of them
   TipExtent extent_;
   std::vector<TipTexel> texels_;
   std::array<float, kReservoirTexels> covered_{};
-  HairTable grip_;
+  HairTable grip_, ends_;
   std::vector<HairTable> gives_;  // evenly from dry to kWetFrac; empty: no hairs
 };
 

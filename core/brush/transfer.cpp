@@ -12,6 +12,7 @@ constexpr float kSmallestCells = 1.5f;    // diameter of the smallest tip a grid
 constexpr float kRefillDiameters = 0.1f;  // R22: distance that the refill share is of
 constexpr float kDryFrac = 1e-3f;         // of max_medium: thinner is dry canvas (A21)
 constexpr float kWeaveReach_m = 3e-4f;    // of a linen's relief: levels beside the film's own
+constexpr float kCarries_m = 6e-4f;       // wet paint less deep than that holds hairs up
 constexpr float kLeastRelief_m = 2e-5f;   // a smooth ground catches a dry brush evenly
 constexpr float kDryFilm = 0.7f;          // fluid below which hairs dry rather than thin out
 constexpr float kSlowing_per_s = 120;     // at so many diameters a second, half as deep
@@ -173,7 +174,10 @@ void Transfer::find_heights(const BrushInHand& hand, StampPlan& plan) const {
   const double variance = square / value - plan.mean_height_m * plan.mean_height_m;
   const float deviation = static_cast<float>(std::sqrt(std::max(0.0, variance)));
   plan.catch_per_m = 1 / std::max(deviation, kLeastRelief_m);
-  plan.catch_offset = offset;
+  // Thick wet paint does not carry the hairs: they sink into it. Else a hole in it, once there,
+  // would never be painted over.
+  const float wet_m = static_cast<float>((height - base) / value);
+  plan.catch_offset = offset + plan.catch_per_m * std::max(0.0f, wet_m - kCarries_m);
 }
 
 /// Levelling only redistributes. Whole on the canvas, the tip lays its exact total; cut by the
@@ -290,14 +294,17 @@ void Transfer::lift_rows(const StampPlan& plan, int begin, int end) {
     float* depth = state_.depth_m.row(strip.y) + strip.x;
     double share = 0;
     const bool scrapes = plan.scrape_frac > 0;
+    const TipRow tip = tip_row(plan.pose, plan.box, state_.geometry, strip.y);
+    const int first = strip.x - plan.box.x;
     for (std::size_t i = 0; i < strip.cells; ++i) {
       const std::size_t at = strip.at + i;
       const float height = base[i] + depth[i];
-      const float levelled = weight_[at] * stamp_level_factor(plan, weight_[at], height);
+      const float at_end =
+          scrapes ? plan.tip->end_table().at(tip.v(first + static_cast<int>(i))) : 0.0f;
+      const float levelled = weight_[at] * stamp_level_factor(plan, at_end, height);
       share += static_cast<double>(levelled);
       share_[at] = levelled * stamp_caught(plan, height);
-      if (scrapes)
-        grasp_[at] = stamp_lift_weight(plan, touch_[at], weight_[at], {depth[i], height});
+      if (scrapes) grasp_[at] = stamp_lift_weight(plan, touch_[at], at_end, {depth[i], height});
     }
     row_[static_cast<std::size_t>(y)].share = share;
     const std::vector<float>& hold = scrapes ? grasp_ : touch_;

@@ -66,7 +66,7 @@ bool DetailStamp::prepare(TileWork& work) {
   const bool opens =
       std::any_of(work.stamps.begin(), work.stamps.end(),
                   [&](const QueuedStamp* stamp) { return stamp->opens_in(tile.box); });
-  if (opens && canvas_.layers() > 1) make_openable(tile, canvas_.layout());
+  if (opens && canvas_.layers() > 1) make_openable(tile.open, canvas_.layout());
   return true;
 }
 

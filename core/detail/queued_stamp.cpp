@@ -49,6 +49,7 @@ void QueuedStamp::lift(const StampPlan& plan, const CanvasState& guide, const De
   plan_.reservoir = nullptr;
   plan_.tip = nullptr;
   grip_ = plan.tip->grip_table();
+  ends_ = plan.tip->end_table();
   lays_ = false;
   cells_ = cells_of(plan, fine, k);
   blocks_ = {cells_.x / k, (cells_.x + cells_.width + k - 1) / k, cells_.y / k,

@@ -32,6 +32,7 @@ class QueuedStamp {
   const StampPlan& plan() const { return plan_; }
   const TipPrint& tip() const { return tip_; }
   const HairTable& grip() const { return grip_; }
+  const HairTable& ends() const { return ends_; }
   /// False: it only lifts.
   bool lays() const { return lays_; }
   /// The cells of the tip, and all of the blocks that the guide's stamp may touch.
@@ -50,7 +51,7 @@ class QueuedStamp {
   StampPlan plan_;
   PaintLoad load_;
   Reservoir reservoir_;
-  HairTable grip_;
+  HairTable grip_, ends_;
   TipPrint tip_;
   CellBox cells_;
   GuideBox blocks_;

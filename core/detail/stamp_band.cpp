@@ -20,19 +20,30 @@ void measure_row(const StampPlan& given, const HairTable& grip, const TipRow& ti
   const StampPlan plan = given;  // nobody else's: what is stored below does not change it
   const float v0 = tip.v0, dv = tip.dv;
   float* __restrict touch = out.touch;
-  float* __restrict grasp = out.grasp;
   float* __restrict share = out.share;
   PENTIMENTO_INDEPENDENT
   for (int i = 0; i < n; ++i) {
     touch[i] = stamp_touch(plan, grip, value[i], v0 + dv * static_cast<float>(i));
-    share[i] = plan.share_scale * stamp_levelled(plan, value[i], base[i] + depth[i]);
+    share[i] = plan.share_scale * stamp_levelled(plan, value[i], 0.0f, base[i] + depth[i]);
   }
-  if (!(plan.scrape_frac > 0)) {
-    std::copy_n(touch, n, grasp);
-    return;
+}
+
+/// Of a blade, after measure_row(): what its ends do otherwise.
+PENTIMENTO_KERNEL
+void measure_blade(const StampPlan& given, const HairTable& ends, const TipRow& tip, int n,
+                   const float* value, const float* base, const float* depth,
+                   const MeasuredRow& out) {
+  const StampPlan plan = given;
+  const float v0 = tip.v0, dv = tip.dv;
+  const float* touch = out.touch;
+  float* __restrict grasp = out.grasp;
+  float* __restrict share = out.share;
+  PENTIMENTO_INDEPENDENT
+  for (int i = 0; i < n; ++i) {
+    const float end = ends.at(v0 + dv * static_cast<float>(i)), height = base[i] + depth[i];
+    share[i] = plan.share_scale * stamp_levelled(plan, value[i], end, height);
+    grasp[i] = stamp_lift_weight(plan, touch[i], end, {depth[i], height});
   }
-  for (int i = 0; i < n; ++i)
-    grasp[i] = stamp_lift_weight(plan, touch[i], value[i], {depth[i], base[i] + depth[i]});
 }
 
 /// plane += part * paint of one component, `stride` floats from cell to cell.
@@ -98,7 +109,8 @@ void StampBand::do_row(const QueuedStamp& stamp, int y) {
   if (touched.empty()) return;
   const int side = canvas_.layout().side();
   const LayerRow cells = row(y, touched.begin);
-  lift_row(stamp.plan().lift, cells, {grasp_.data(), touched.count()},
+  const std::vector<float>& hold = stamp.plan().scrape_frac > 0 ? grasp_ : touch_;
+  lift_row(stamp.plan().lift, cells, {hold.data(), touched.count()},
            tile_->depth_m.data() + static_cast<std::ptrdiff_t>(y % side) * side + touched.begin);
   if (!stamp.lays()) return;
   lay(stamp, y, touched);
@@ -124,10 +136,14 @@ StampBand::Cells StampBand::measure(const QueuedStamp& stamp, int y) {
   if (touched.empty()) return touched;
   std::copy(value + skipped, value + count, value_.begin());
   const std::ptrdiff_t cell = static_cast<std::ptrdiff_t>(y % side) * side + touched.begin;
-  measure_row(stamp.plan(), stamp.grip(),
-              {tip.u(from_box + touched.begin), tip.v(from_box + touched.begin), tip.du, tip.dv},
-              static_cast<int>(touched.count()), value, tile_->base_m.data() + cell,
-              tile_->depth_m.data() + cell, {touch_.data(), grasp_.data(), share_.data()});
+  const TipRow part = {tip.u(from_box + touched.begin), tip.v(from_box + touched.begin), tip.du,
+                       tip.dv};
+  const MeasuredRow out = {touch_.data(), grasp_.data(), share_.data()};
+  const float *base = tile_->base_m.data() + cell, *depth = tile_->depth_m.data() + cell;
+  const int n = static_cast<int>(touched.count());
+  measure_row(stamp.plan(), stamp.grip(), part, n, value_.data(), base, depth, out);
+  if (stamp.plan().scrape_frac > 0)
+    measure_blade(stamp.plan(), stamp.ends(), part, n, value_.data(), base, depth, out);
   return touched;
 }
 

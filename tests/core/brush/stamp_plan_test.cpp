@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <vector>
 
 #include "core/brush/tip_print.h"
 #include "core/optics/pigment_library.h"
@@ -60,7 +61,7 @@ class SecondCanvas : public test::IdleFollower {
         const float value = values[static_cast<std::size_t>(i)];
         const float height_m =
             canvas.base_m(x / finer_, y / finer_) + canvas.depth_m(x / finer_, y / finer_);
-        const float share = stamp_levelled(plan, value, height_m) * plan.share_scale;
+        const float share = stamp_levelled(plan, value, 0, height_m) * plan.share_scale;
         if (!(share > 0)) continue;
         plan.reservoir->sample(tip.u(i), tip.v(i), paint.data());
         after(x, y) += stamp_laid(plan, paint.data(), value, share).part * paint[0];
@@ -112,6 +113,31 @@ TEST(StampPlan, LaysAsMuchOnAFinerCanvas) {
   // Each grid samples the tip at its cells' centres. 19 of the coarse ones to a diameter are wider
   // than hairs: half of the 1 % within which Tip.LaysTheSameMassOnEveryGrid holds the grids.
   EXPECT_NEAR(second.volume_m3() / hand.sim.wet().medium_m3, 1, 5e-3);
+}
+
+/// Notes how far down each stamp reaches.
+class Reach : public test::IdleFollower {
+ public:
+  void lay(const StampPlan& plan, const CanvasState&) override { plans.push_back(plan); }
+  std::vector<StampPlan> plans;
+};
+
+TEST(StampPlan, HairsSinkIntoThickWetPaint) {
+  Reach reach;
+  Hand hand(reach);
+  Stamp light = stamp_at(0.1, 0.07), full = light;
+  light.pressure = 0.1f;
+  full.pressure = 1;
+  hand.sim.stamp(0, light);
+  while (hand.sim.state().depth_m(48, 34) < 0.003f && reach.plans.size() < 500)
+    hand.sim.stamp(0, full);
+  hand.sim.stamp(0, light);
+  const StampPlan &dry = reach.plans.front(), &wet = reach.plans.back();
+  ASSERT_GT(dry.catch_per_m, 0);
+  ASSERT_GT(wet.mean_height_m, 0.001);  // on a canvas without relief: the paint's depth
+  // One touch empties the brush by less than 1 %, which is 0.05 deviations.
+  EXPECT_NEAR(wet.catch_offset - dry.catch_offset,
+              wet.catch_per_m * (static_cast<float>(wet.mean_height_m) - 6e-4f), 0.05f);
 }
 
 TEST(StampObserver, IsToldOfEachStampAlsoAfterClearing) {

@@ -50,6 +50,19 @@ TEST(Tip, ValuesLieBetweenZeroAndOne) {
   }
 }
 
+TEST(Tip, ABladeEndsAtItsEnds) {
+  const Tip knife(*builtin_brush("knife"));
+  // knife: its value is 0.6 in the middle and rises to 1 between 0.8 and 0.95 of its half length.
+  EXPECT_EQ(knife.end_table().at(0), 0);
+  EXPECT_EQ(knife.end_table().at(0.38f), 0);
+  EXPECT_EQ(knife.end_table().at(0.47f), 1);
+  EXPECT_EQ(knife.end_table().at(-0.47f), 1);
+  for (int i = 0; i <= HairTable::kSteps; ++i) {
+    const float end = knife.end_table().at(HairTable::at_step(i));
+    EXPECT_TRUE(end >= 0 && end <= 1);
+  }
+}
+
 TEST(Tip, TheNameChoosesTheHairs) {
   BrushDefinition a = *builtin_brush("bristle");
   BrushDefinition b = *builtin_brush("bristle");
@@ -96,7 +109,7 @@ TEST(Tip, GripIsOneOnAverage) {
     const Tip tip(*builtin_brush(name));
     double sum = 0;
     for (int i = 0; i < 400; ++i) {
-      const float grip = tip.grip(-0.5f + (static_cast<float>(i) + 0.5f) / 400);
+      const float grip = tip.grip_table().at(-0.5f + (static_cast<float>(i) + 0.5f) / 400);
       EXPECT_TRUE(grip >= 0 && grip <= 2);
       sum += static_cast<double>(grip);
     }
