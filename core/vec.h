@@ -6,6 +6,7 @@ namespace pentimento {
 
 struct Vec2f {
   float x = 0, y = 0;
+  friend bool operator==(const Vec2f&, const Vec2f&) = default;
 };
 struct Vec3f {
   float x = 0, y = 0, z = 0;

@@ -1,6 +1,7 @@
 #include "core/detail/left_blocks.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace pentimento {
 
@@ -37,6 +38,25 @@ std::vector<LeftBlock> LeftBlocks::step() {
 void LeftBlocks::clear() {
   for (const Cell& c : cells_) mark_(c.x, c.y) = kNone;
   cells_.clear();
+}
+
+std::vector<StampedBlock> LeftBlocks::stamped() const {
+  std::vector<StampedBlock> stamped;
+  for (const Cell& c : cells_)
+    stamped.push_back({c.x, c.y, way_(c.x, c.y), mark_(c.x, c.y) == kNow});
+  std::sort(stamped.begin(), stamped.end(), [](const StampedBlock& a, const StampedBlock& b) {
+    return std::pair(a.y, a.x) < std::pair(b.y, b.x);
+  });
+  return stamped;
+}
+
+void LeftBlocks::recall(const std::vector<StampedBlock>& stamped) {
+  clear();
+  for (const StampedBlock& block : stamped) {
+    if (mark_(block.x, block.y) == kNone) cells_.push_back({block.y, block.x});
+    mark_(block.x, block.y) = block.now ? kNow : kBefore;
+    way_(block.x, block.y) = block.way;
+  }
 }
 
 }  // namespace pentimento

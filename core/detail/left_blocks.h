@@ -16,6 +16,14 @@ struct LeftBlock {
   Vec2f way;      // of the last stamp over it: a unit vector, or (0, 0) for a tap
 };
 
+/// A block that a stamp was over and that has not been left yet.
+struct StampedBlock {
+  int x = 0, y = 0;  // of the guide
+  Vec2f way;         // of the last stamp
+  bool now = false;  // in the step that has not ended, else in the one before
+  friend bool operator==(const StampedBlock&, const StampedBlock&) = default;
+};
+
 /// Not thread-safe.
 class LeftBlocks {
  public:
@@ -29,6 +37,10 @@ class LeftBlocks {
   /// Ends a step. The cells that were stamped before it and not in it, by rows.
   std::vector<LeftBlock> step();
   void clear();
+  /// What step() will tell of later, by rows.
+  std::vector<StampedBlock> stamped() const;
+  /// Takes up what stamped() gave; the blocks lie on the canvas.
+  void recall(const std::vector<StampedBlock>& stamped);
 
  private:
   enum Mark : std::uint8_t { kNone, kBefore, kNow };

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/detail/film_spline.h"
+#include "core/detail/level_rows.h"
 #include "core/detail/smooth_field.h"
 #include "core/fluid/rheology.h"
 
@@ -10,23 +12,15 @@ namespace pentimento {
 
 namespace {
 constexpr float kRipple_per_m2 = 4e7f;  // squared wave number of ripples of a millimetre
-constexpr float kEdgeLow = 0.35f, kEdgeHigh = 0.75f;
-constexpr float kEdgeReach = 4;  // pigment is relaxed where its wetness is below 1, fully at 3/4
-constexpr float kBare = 0.02f;   // of the fullest around: less is no film
-constexpr float kLeastRate = 1e-3f;  // slower levelling shows in no session
+constexpr float kLeastRate = 1e-3f;     // slower levelling shows in no session
+constexpr int kReach = TileNeighbourhood::kMargin;  // of what levels, in cells
+constexpr int kBeside = kLevelReach - kReach;
 
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
 
-/// m of the edge, with a skirt so faint that it shows only where a block has nothing else.
-float edge_profile(float wetness) {
-  constexpr float kSkirt = 0.02f;
-  const float t = std::clamp((wetness - kEdgeLow) / (kEdgeHigh - kEdgeLow), 0.0f, 1.0f);
-  return std::max(t * t * (3 - 2 * t), kSkirt * wetness * wetness * wetness);
-}
-
-/// Levels one tile; keeps its buffers.
+/// Levels tile by tile; keeps its buffers.
 class TileLeveller {
  public:
   TileLeveller(DetailCanvas& canvas, const CanvasState& guide, const PaintEdges& edges,
@@ -41,19 +35,10 @@ class TileLeveller {
                                 in.gravity_m_s2.z * in.gravity_m_s2.z)) {}
 
   void level(DetailTile& tile) {
-    if (!tile.depth_m || !tile.base_m || !find_rates(tile)) return;
-    const std::size_t cells = at(canvas_.layout().side()) * at(canvas_.layout().side());
-    for (std::vector<float>* v : {&rate_, &wet_, &depth_, &base_, &old_}) v->resize(cells);
-    smooth(
-        tile, [&](int x, int y) { return fill_at(guide_.depth_m, x, y); }, wet_);
-    smooth(
-        tile, [&](int x, int y) { return guide_.depth_m(x, y); }, depth_);
-    smooth(
-        tile, [&](int x, int y) { return guide_.base_m(x, y); }, base_);
-    std::copy_n(tile.depth_m.data(), cells, old_.data());
-    for_wet_cells(tile, [&](std::size_t i) { level_cell(tile, i); });
-    for (std::size_t p = 0; p < tile.pigment.size(); ++p)
-      if (tile.pigment[p]) carry(tile, static_cast<int>(p));
+    if (!tile.depth_m || !tile.base_m) return;
+    TileNeighbourhood rates(tile.box, guide_.geometry.width, guide_.geometry.height);
+    rates.fill([&](int x, int y) { return rate_at(x, y); });
+    for (const GuideBox& box : boxes_that_level(tile, rates)) level_box(tile, rates, box);
   }
 
  private:
@@ -63,10 +48,20 @@ class TileLeveller {
            (y > 0 && along_y(x, y - 1) != 0);
   }
 
+  /// Whether paint moves in or beside a cell: tension draws smooth an edge that is held, too, while
+  /// paint arrives behind it.
+  bool moves_beside(int x, int y) const {
+    const int right = guide_.geometry.width - 1, bottom = guide_.geometry.height - 1;
+    for (int j = std::max(0, y - kBeside); j <= std::min(bottom, y + kBeside); ++j)
+      for (int i = std::max(0, x - kBeside); i <= std::min(right, x + kBeside); ++i)
+        if (moves(i, j)) return true;
+    return false;
+  }
+
   /// L of the guide's cell.
   float rate_at(int x, int y) const {
     const float depth = guide_.depth_m(x, y);
-    if (!(depth > 0) || !moves(x, y)) return 0;
+    if (!(depth > 0) || !moves_beside(x, y)) return 0;
     float amount = 0;
     for (int layer = 0; layer < guide_.layers; ++layer)
       for (int c = 0; c < guide_.channels; ++c)
@@ -76,82 +71,89 @@ class TileLeveller {
     const float nu = std::max(viscosity, in_.model.friction_viscosity_floor_m2_s);
     const float rate =
         in_.dt_s * gravity_m_s2_ * mobility * depth * depth * depth / (3 * nu) * kRipple_per_m2;
-    return rate / (1 + rate);
+    const float share = rate / (1 + rate);
+    return share > kLeastRate ? share : 0.0f;
   }
 
-  bool find_rates(const DetailTile& tile) {
-    TileNeighbourhood rates(tile.box, guide_.geometry.width, guide_.geometry.height);
-    bool any = false;
-    rates.fill([&](int x, int y) {
-      const float rate = rate_at(x, y);
-      any |= rate > kLeastRate;
-      return rate;
-    });
-    if (!any) return false;
-    rate_.resize(at(canvas_.layout().side()) * at(canvas_.layout().side()));
-    rates.smooth(canvas_.layout().factor(), rate_.data(), canvas_.layout().side());
-    return true;
+  /// Columns of the tile's blocks that have something that levels around them, side by side, and of
+  /// those the rows: drips far apart are levelled each by itself.
+  std::vector<GuideBox> boxes_that_level(const DetailTile& tile, const TileNeighbourhood& rates) {
+    std::vector<GuideBox> boxes;
+    const GuideBox& all = tile.box;
+    for (int x = all.x0 - kReach; x < all.x1 + kReach; ++x)
+      for (int y = all.y0 - kReach; y < all.y1 + kReach; ++y) {
+        if (rates.at(x, y) == 0) continue;
+        const GuideBox around = {std::max(x - kReach, all.x0), std::min(x + kReach + 1, all.x1),
+                                 std::max(y - kReach, all.y0), std::min(y + kReach + 1, all.y1)};
+        if (boxes.empty() || boxes.back().x1 <= around.x0) boxes.push_back(around);
+        GuideBox& box = boxes.back();
+        box = {std::min(box.x0, around.x0), std::max(box.x1, around.x1),
+               std::min(box.y0, around.y0), std::max(box.y1, around.y1)};
+      }
+    return boxes;
+  }
+
+  void level_box(DetailTile& tile, const TileNeighbourhood& rates, const GuideBox& box) {
+    box_ = box;
+    smooth([&](int x, int y) { return rates.at(x, y); }, rate_);
+    spare_dry_blocks();
+    const FilmSpline spline(guide_.depth_m, box);
+    smooth([&](int x, int y) { return spline.fill(x, y); }, wet_);
+    smooth([&](int x, int y) { return spline.film(x, y); }, depth_);
+    smooth([&](int x, int y) { return guide_.depth_m(x, y); }, plain_depth_);
+    smooth([&](int x, int y) { return guide_.base_m(x, y); }, base_);
+    before_.resize(rate_.size());
+    for (int row = 0; row < rows(); ++row) {
+      float* depth = tile.depth_m.data() + in_tile(tile, row);
+      std::copy_n(depth, cells(), before_.begin() + row * cells());
+      level_row(fields(row), tile.base_m.data() + in_tile(tile, row), cells(), depth);
+    }
+    for (std::size_t p = 0; p < tile.pigment.size(); ++p)
+      if (tile.pigment[p]) carry(tile, p);
+  }
+
+  int cells() const { return box_.width() * canvas_.layout().factor(); }
+  int rows() const { return box_.height() * canvas_.layout().factor(); }
+  /// Where a row of the box starts in a plane of the tile.
+  std::ptrdiff_t in_tile(const DetailTile& tile, int row) const {
+    const int k = canvas_.layout().factor(), side = canvas_.layout().side();
+    return static_cast<std::ptrdiff_t>((box_.y0 - tile.box.y0) * k + row) * side +
+           (box_.x0 - tile.box.x0) * k;
+  }
+  LevelRow fields(int row) const {
+    const std::size_t i = at(row) * at(cells());
+    return {&rate_[i], &wet_[i], &depth_[i], &base_[i]};
   }
 
   template <typename ValueAt>
-  void smooth(const DetailTile& tile, const ValueAt& value_at, std::vector<float>& out) {
-    TileNeighbourhood values(tile.box, guide_.geometry.width, guide_.geometry.height);
+  void smooth(const ValueAt& value_at, std::vector<float>& out) {
+    TileNeighbourhood values(box_, guide_.geometry.width, guide_.geometry.height);
     values.fill(value_at);
-    values.smooth(canvas_.layout().factor(), out.data(), canvas_.layout().side());
+    out.resize(at(cells()) * at(rows()));
+    values.smooth(canvas_.layout().factor(), out.data(), cells());
   }
 
-  /// How full the guide's cell is: 1, beside bare cells its share of the fullest around.
-  static float fill_at(const Field<float>& plane, int x, int y) {
-    const float here = plane(x, y);
-    if (!(here > 0)) return 0;
-    float most = here, least = here;
-    for (int j = std::max(0, y - 1); j <= std::min(plane.height() - 1, y + 1); ++j)
-      for (int i = std::max(0, x - 1); i <= std::min(plane.width() - 1, x + 1); ++i)
-        most = std::max(most, plane(i, j)), least = std::min(least, plane(i, j));
-    return least < kBare * most ? here / most : 1.0f;
-  }
-
-  /// Calls body(index) for the fine cells in blocks where the guide is wet.
-  template <typename Body>
-  void for_wet_cells(const DetailTile& tile, const Body& body) const {
-    const int k = canvas_.layout().factor(), side = canvas_.layout().side();
-    for (int y = 0; y < tile.box.height() * k; ++y)
-      for (int x = 0; x < tile.box.width() * k; ++x)
-        if (guide_.depth_m(tile.box.x0 + x / k, tile.box.y0 + y / k) > 0)
-          body(at(y) * at(side) + at(x));
-  }
-
-  void level_cell(DetailTile& tile, std::size_t i) {
-    const float wet = wet_[i];
-    const float film = wet > 0 ? depth_[i] / wet : 0.0f;
-    const float target =
-        edge_profile(wet) * std::max(0.0f, film + base_[i] - tile.base_m.data()[i]);
-    tile.depth_m.data()[i] += rate_[i] * (target - old_[i]);
+  /// Nothing levels in blocks that the guide has dry.
+  void spare_dry_blocks() {
+    const int k = canvas_.layout().factor();
+    for (int row = 0; row < rows(); ++row)
+      for (int x = 0; x < box_.width(); ++x)
+        if (!(guide_.depth_m(box_.x0 + x, box_.y0 + row / k) > 0))
+          std::fill_n(rate_.begin() + row * cells() + x * k, k, 0.0f);
   }
 
   /// Pigment goes with the depth that came or went; near its own edge it relaxes as depth does.
-  void carry(DetailTile& tile, int plane) {
-    for (std::vector<float>* v : {&amount_, &stain_}) v->resize(old_.size());
-    const Field<float>& amount = guide_.pigment[at(plane)];
-    smooth(
-        tile, [&](int x, int y) { return amount(x, y); }, amount_);
-    smooth(
-        tile, [&](int x, int y) { return fill_at(amount, x, y); }, stain_);
-    float* pigment = tile.pigment[at(plane)].data();
-    const float* depth = tile.depth_m.data();
-    for_wet_cells(tile, [&](std::size_t i) {
-      const float gained = depth[i] - old_[i];
-      if (gained < 0) {
-        pigment[i] *= depth[i] / old_[i];
-      } else if (depth_[i] > 0) {
-        pigment[i] += gained * amount_[i] / depth_[i];
-      }
-      const float edge = std::min(1.0f, kEdgeReach * (1 - stain_[i]));
-      if (stain_[i] > 0 && edge > 0) {
-        const float target = edge_profile(stain_[i]) * amount_[i] / stain_[i];
-        pigment[i] += rate_[i] * edge * (target - pigment[i]);
-      }
-    });
+  void carry(DetailTile& tile, std::size_t plane) {
+    const Field<float>& amount = guide_.pigment[plane];
+    smooth([&](int x, int y) { return amount(x, y); }, amount_);
+    const FilmSpline spline(amount, box_);
+    smooth([&](int x, int y) { return spline.fill(x, y); }, stain_);
+    for (int row = 0; row < rows(); ++row) {
+      const std::size_t i = at(row) * at(cells());
+      const std::ptrdiff_t first = in_tile(tile, row);
+      carry_row(fields(row), {&amount_[i], &plain_depth_[i], &stain_[i]}, &before_[i],
+                tile.depth_m.data() + first, cells(), tile.pigment[plane].data() + first);
+    }
   }
 
   DetailCanvas& canvas_;
@@ -160,7 +162,8 @@ class TileLeveller {
   const StepInput& in_;
   Rheology rheology_;
   float gravity_m_s2_;
-  std::vector<float> rate_, wet_, depth_, base_, old_, amount_, stain_;
+  GuideBox box_;  // being levelled
+  std::vector<float> rate_, wet_, depth_, plain_depth_, base_, before_, amount_, stain_;
 };
 }  // namespace
 

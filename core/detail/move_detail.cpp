@@ -4,11 +4,19 @@
 
 #include "core/detail/fine_edges.h"
 #include "core/detail/fine_remap.h"
+#include "core/fluid/conservative/kernel.h"
 
 namespace pentimento {
 
 namespace {
 constexpr int kLinesPerTask = 16;
+
+PENTIMENTO_KERNEL
+bool any_paint(const float* amount, int n) {
+  bool any = false;
+  for (int i = 0; i < n; ++i) any |= amount[i] != 0;
+  return any;
+}
 
 /// Moves single lines of one run; keeps its buffers.
 class LineMover {
@@ -24,25 +32,34 @@ class LineMover {
   }
 
   void move(int line) {
-    if (!find_part(line)) return;
-    move_depth(line);
-    for (int layer = 0; layer < canvas_.layers(); ++layer) move_layer(layer, line);
+    if (!find_edges(line)) return;
+    const std::size_t blocks = at(run_->length());
+    for (std::size_t from = 0; from < blocks; ++from) {
+      if (blended_[from + 1] == 0) continue;
+      std::size_t to = from + 1;
+      while (to < blocks && (blended_[to] != 0 || blended_[to + 1] != 0)) ++to;
+      take_part(from, to);
+      move_depth(line);
+      for (int layer = 0; layer < canvas_.layers(); ++layer) move_layer(layer, line);
+      from = to;
+    }
   }
 
  private:
-  /// The guide's edges along the line, and the part of it that moves. False if none does.
-  bool find_part(int line) {
-    const std::size_t blocks = at(run_->length());
+  /// The guide's edges along the line. False if none moves.
+  bool find_edges(int line) {
     const float across = (static_cast<float>(line) + 0.5f) / static_cast<float>(k_) - 0.5f;
     const int low = across < 0 ? -1 : static_cast<int>(across);
     const int first = std::max(low, -before_run()), second = std::min(low + 1, behind_run() - 1);
     read_edges(first, a_);
     read_edges(second, b_);
-    blended_.resize(blocks + 1);
-    if (!blend_edges(a_, b_, across - static_cast<float>(low), blended_)) return false;
-    std::size_t from = 0, to = blocks;
-    while (blended_[from + 1] == 0) ++from;
-    while (blended_[to - 1] == 0) --to;
+    blended_.resize(a_.size());
+    return blend_edges(a_, b_, across - static_cast<float>(low), blended_);
+  }
+
+  /// Blocks [from, to), whose two ends and what lies behind them stand still: parts of a line that
+  /// lie far apart are moved each by itself.
+  void take_part(std::size_t from, std::size_t to) {
     part_.assign(blended_.begin() + static_cast<std::ptrdiff_t>(from),
                  blended_.begin() + static_cast<std::ptrdiff_t>(to) + 1);
     begin_ = static_cast<int>(from) * k_;
@@ -55,7 +72,6 @@ class LineMover {
     held_.resize(cells);
     out_.resize(cells);
     scratch_.resize(cells + 1);
-    return true;
   }
 
   /// Rows of the guide before the run's first, and from it to the guide's last: edges are read
@@ -99,6 +115,7 @@ class LineMover {
       const WetPlane q{layer * canvas_.channels() + c};
       if (!present_[at(1 + q.pigment)]) continue;
       load(q, line);
+      if (!any_paint(value_.data(), static_cast<int>(value_.size()))) continue;
       if (layer == 0) hold_residue();
       remap_line(sources_, value_, scratch_, out_);
       if (layer == 0)

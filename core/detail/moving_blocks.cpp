@@ -2,12 +2,13 @@
 
 #include <algorithm>
 
+#include "core/detail/level_detail.h"
 #include "core/fluid/conservative/kernel.h"
 
 namespace pentimento {
 
 namespace {
-constexpr int kAround = 2;
+constexpr int kAround = kLevelReach;
 constexpr int kLookedAt = 64;  // edges at a time
 
 PENTIMENTO_KERNEL

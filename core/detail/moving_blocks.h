@@ -6,8 +6,8 @@
 
 namespace pentimento {
 
-/// Adds the guide cells beside edges that move, in the cells of `runs`, and the two cells around
-/// them, into which the detail's paint may come and from which its levelling sees them.
+/// Adds the guide cells beside edges that move, in the cells of `runs`, and kLevelReach cells
+/// around them (level_detail.h): all that the detail's motion and its levelling may change.
 void add_moving(const PaintEdges& edges, const std::vector<conservative::Run>& runs,
                 ChangedBlocks& blocks);
 

@@ -25,13 +25,13 @@ bool all_open(const DetailTile& tile, const DetailLayout& layout, int x, int y) 
 }
 }  // namespace
 
-void make_openable(DetailTile& tile, const DetailLayout& layout) {
-  if (!tile.open.empty()) return;
+void make_openable(OpenCells& open, const DetailLayout& layout) {
+  if (!open.empty()) return;
   const std::size_t side = static_cast<std::size_t>(layout.side());
   const std::size_t blocks = static_cast<std::size_t>(layout.blocks());
-  tile.open.opened.assign(side * side, 1);
-  tile.open.opening.resize(blocks * blocks);
-  tile.open.tangled.assign(blocks * blocks, 0);
+  open.opened.assign(side * side, 1);
+  open.opening.resize(blocks * blocks);
+  open.tangled.assign(blocks * blocks, 0);
 }
 
 void await_touch(DetailTile& tile, const DetailLayout& layout, int x, int y, int layers,

@@ -7,8 +7,8 @@
 
 namespace pentimento {
 
-/// The tile can have cells that wait from now on.
-void make_openable(DetailTile& tile, const DetailLayout& layout);
+/// There can be cells that wait from now on.
+void make_openable(OpenCells& open, const DetailLayout& layout);
 
 /// The guide has opened its cell (x, y), of `layers` layers, for another stroke: the cells of the
 /// block wait. The tile is openable unless there is one layer only, which never opens.

@@ -17,11 +17,22 @@ float cell_at(DetailCanvas& canvas, const WetPlane& q, int x, int y) {
   return q.of(*tile).data()[static_cast<std::ptrdiff_t>(y % side) * side + x % side];
 }
 
-void add_depth(DetailCanvas& canvas, const OwedBlock& block, int k, std::vector<float>& weight) {
+float mean_of(const std::vector<float>& weight) {
+  double sum = 0;
+  for (const float w : weight) sum += static_cast<double>(w);
+  return static_cast<float>(sum / static_cast<double>(weight.size()));
+}
+/// weight = depth * weight, or the depth alone where nothing has a weight.
+void weigh_by_depth(DetailCanvas& canvas, const OwedBlock& block, int k,
+                    std::vector<float>& weight) {
+  constexpr float kEverywhere = 1.0f / 30;
   const WetPlane depth;
+  const float mean = mean_of(weight);
+  const float least = mean > 0 ? kEverywhere * mean : 1.0f;
   for (int y = 0; y < k; ++y)
     for (int x = 0; x < k; ++x)
       weight[static_cast<std::size_t>(y * k + x)] =
+          (weight[static_cast<std::size_t>(y * k + x)] + least) *
           cell_at(canvas, depth, block.x * k + x, block.y * k + y);
 }
 
@@ -44,18 +55,16 @@ void add_extension(DetailCanvas& canvas, const WetPlane& q, const OwedBlock& blo
   }
 }
 
-float mean_of(const std::vector<float>& weight) {
-  double sum = 0;
-  for (const float w : weight) sum += static_cast<double>(w);
-  return static_cast<float>(sum / static_cast<double>(weight.size()));
-}
 }  // namespace
 
 void fill_owed(DetailCanvas& canvas, const WetPlane& q, OwedBlock& block) {
   const int k = canvas.layout().factor();
   block.value.assign(static_cast<std::size_t>(k) * static_cast<std::size_t>(k), 0.0f);
-  if (q.pigment >= 0) add_depth(canvas, block, k, block.value);
-  if (!(mean_of(block.value) > 0)) add_extension(canvas, q, block, k, block.value);
+  add_extension(canvas, q, block, k, block.value);
+  if (q.pigment >= 0) {
+    weigh_by_depth(canvas, block, k, block.value);
+    if (!(mean_of(block.value) > 0)) add_extension(canvas, q, block, k, block.value);
+  }
   const float mean = mean_of(block.value);
   if (!(mean > 0)) {
     std::fill(block.value.begin(), block.value.end(), block.mean);

@@ -17,11 +17,12 @@ struct OwedBlock {
   std::vector<float> value;  // factor x factor, filled by fill_owed
 };
 
-/// Decides where the block's paint lies: pigment where the block has depth, in proportion; else,
-/// as an extension of what the fine cells across its borders hold, fading away from them
-///   w = sum over the four sides of (value across) (1 - distance / k)^2;
-/// else evenly. Reads the canvas as it is; writes nothing to it.
-/// Source: ours. Departs from it: nothing.
+/// Decides where the block's paint lies: as an extension of what the fine cells across its borders
+/// hold, fading away from them
+///   e = sum over the four sides of (value across) (1 - distance / k)^2
+/// pigment only where the block has depth d, w = d (e + a thirtieth of its mean); depth w = e;
+/// pigment with nothing across, w = d; else evenly. Reads the canvas as it is; writes nothing to
+/// it. Source: ours. Departs from it: nothing.
 void fill_owed(DetailCanvas& canvas, const WetPlane& q, OwedBlock& block);
 
 /// Writes the block's cells.

@@ -7,19 +7,6 @@
 namespace pentimento::conservative {
 namespace {
 
-CellBox touched_box(const BrushContact& contact) {
-  CellBox box{contact.weight.width(), 0, contact.row_begin, contact.row_end};
-  for (int y = box.y0; y < box.y1; ++y) {
-    const float* weight = contact.weight.row(y);
-    for (int x = 0; x < contact.weight.width(); ++x) {
-      if (!(weight[x] > 0)) continue;
-      box.x0 = std::min(box.x0, x);
-      box.x1 = std::max(box.x1, x + 1);
-    }
-  }
-  return box;
-}
-
 void settle_plane(const CellBox& box, float quantum, Field<float>& plane) {
   const float rounder = rounder_for(quantum);
   float carried = 0;
@@ -37,10 +24,23 @@ void settle_plane(const CellBox& box, float quantum, Field<float>& plane) {
 
 }  // namespace
 
+CellBox settled_box(const BrushContact& contact) {
+  CellBox box{contact.weight.width(), 0, contact.row_begin, contact.row_end};
+  for (int y = box.y0; y < box.y1; ++y) {
+    const float* weight = contact.weight.row(y);
+    for (int x = 0; x < contact.weight.width(); ++x) {
+      if (!(weight[x] > 0)) continue;
+      box.x0 = std::min(box.x0, x);
+      box.x1 = std::max(box.x1, x + 1);
+    }
+  }
+  return box;
+}
+
 void settle_quanta(CanvasState& state, const StepInput& in) {
   const CellBox box = state.sleep.empty()
                           ? CellBox{0, state.geometry.width, 0, state.geometry.height}
-                          : touched_box(in.contact);
+                          : settled_box(in.contact);
   if (box.empty()) return;
   const int planes = 1 + state.layers * state.channels;
   in.threads.for_ranges(0, planes, 1, [&](int begin, int end) {

@@ -7,6 +7,9 @@
 
 namespace pentimento::conservative {
 
+/// The cells that a step rounds: the smallest box around what the brush touched.
+CellBox settled_box(const BrushContact& contact);
+
 /// Rounds depth and pigments to quanta: where the brush touched, or everywhere awake at the first
 /// step after the state came from elsewhere. What rounding takes from a cell is carried to the next
 /// wet cell of the plane, in row order, so that a plane's total changes by at most half a quantum

@@ -72,6 +72,27 @@ TEST_F(LockTest, FillsWhatIsOwedBesideItsNeighbours) {
   EXPECT_GT(lock_.statistics().owed, 0);
 }
 
+TEST_F(LockTest, PigmentThatIsOwedLeansOnItsNeighboursToo) {
+  for (int y = 0; y < 16; ++y)
+    for (int x = 6; x < 10; ++x) {
+      guide_.depth_m(x, y) = 0.004f;
+      guide_.channel(0, 0)(x, y) = x < 9 ? 0.01f : 0.0f;
+    }
+  canvas_.cover(0, guide_);
+  DetailTile* tile = canvas_.find(0);
+  for (int y = 0; y < 128; ++y)
+    for (int x = 48; x < 80; ++x) {
+      depth()[y * layout_.side() + x] = 0.004f;
+      tile->pigment[0].data()[y * layout_.side() + x] = x < 64 ? 0.01f : 0.0f;
+    }
+  lock();  // column 8 has depth and no pigment
+  const float* pigment = tile->pigment[0].data() + 60 * layout_.side();
+  EXPECT_NEAR(test::block_mean(canvas_, WetPlane{0}, 8, 7), 0.01, 1e-8);
+  for (int x = 64; x < 71; ++x) EXPECT_GT(pigment[x], pigment[x + 1]);
+  EXPECT_GT(pigment[71], 0);
+  EXPECT_EQ(pigment[72], 0);
+}
+
 TEST_F(LockTest, LeavesOtherBlocksAlone) {
   for (int y = 0; y < 16; ++y)
     for (int x = 0; x < 16; ++x) guide_.depth_m(x, y) = 0.02f;

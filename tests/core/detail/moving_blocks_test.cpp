@@ -5,7 +5,7 @@
 namespace pentimento {
 namespace {
 
-TEST(AddMoving, FindsTheCellsBesideMovingEdgesAndTwoAround) {
+TEST(AddMoving, FindsTheCellsBesideMovingEdgesAndThreeAround) {
   const CanvasGeometry guide{200, 50, 1, 1};
   PaintEdges edges(guide, 1);
   edges.x[1](100, 20) = 0.1f;  // between cells 100 and 101
@@ -15,15 +15,15 @@ TEST(AddMoving, FindsTheCellsBesideMovingEdgesAndTwoAround) {
   ChangedBlocks blocks(DetailLayout(guide, 1));  // one tile for 128 cells
   add_moving(edges, runs, blocks);
   const GuideBox left = blocks.box(0);
-  EXPECT_EQ(left.y0, 18);
-  EXPECT_EQ(left.y1, 44);
-  EXPECT_EQ(left.x0, 28);
-  EXPECT_EQ(left.x1, 104);
+  EXPECT_EQ(left.y0, 17);
+  EXPECT_EQ(left.y1, 45);
+  EXPECT_EQ(left.x0, 27);
+  EXPECT_EQ(left.x1, 105);
   for (const BlockStrip& strip : blocks.strips()) {
-    EXPECT_EQ(strip.x0, strip.y < 30 ? 98 : 28);
-    EXPECT_EQ(strip.x1, strip.y < 30 ? 104 : 33);
+    EXPECT_EQ(strip.x0, strip.y < 30 ? 97 : 27);
+    EXPECT_EQ(strip.x1, strip.y < 30 ? 105 : 34);
   }
-  EXPECT_EQ(blocks.strips().size(), 5u + 6u);
+  EXPECT_EQ(blocks.strips().size(), 7u + 8u);
 }
 
 TEST(AddMoving, LooksOnlyAtTheRuns) {

@@ -23,7 +23,7 @@ class OpenCellsTest : public ::testing::Test {
  protected:
   OpenCellsTest() {
     canvas_.at(0);
-    make_openable(*canvas_.find(0), layout_);
+    make_openable(canvas_.find(0)->open, layout_);
     for (const int p : {0, 1}) canvas_.make(canvas_.find(0)->pigment[static_cast<std::size_t>(p)]);
   }
   LayerRow row() {
