@@ -14,19 +14,6 @@ bool same_paint(const Pigment& a, const Pigment& b) {
   return a.K.size() == b.K.size() && a.K == b.K && a.S == b.S;
 }
 
-/// Row c: what channel c of `basis` has per unit of each channel of `old`.
-Eigen::MatrixXf conversion(const ChannelBasis& old, const ChannelBasis& basis) {
-  Eigen::MatrixXf to = Eigen::MatrixXf::Zero(basis.channels(), old.channels());
-  if (channel_per_pigment(basis)) {
-    to.topLeftCorner(old.channels(), old.channels()).setIdentity();
-  } else if (channel_per_pigment(old)) {
-    to = basis.load.leftCols(old.channels());
-  } else {
-    to.setIdentity();
-  }
-  return to;
-}
-
 Field<float> weighted_sum(const CanvasState& state, int layer, const Eigen::RowVectorXf& weight) {
   Field<float> sum(state.geometry.width, state.geometry.height);
   for (int c = 0; c < state.channels; ++c) {
@@ -64,8 +51,20 @@ ChannelBasis channels_after(const ChannelBasis& old, const std::vector<Pigment>&
   return basis;
 }
 
+Eigen::MatrixXf channel_conversion(const ChannelBasis& old, const ChannelBasis& basis) {
+  Eigen::MatrixXf to = Eigen::MatrixXf::Zero(basis.channels(), old.channels());
+  if (channel_per_pigment(basis)) {
+    to.topLeftCorner(old.channels(), old.channels()).setIdentity();
+  } else if (channel_per_pigment(old)) {
+    to = basis.load.leftCols(old.channels());
+  } else {
+    to.setIdentity();
+  }
+  return to;
+}
+
 CanvasState change_channels(CanvasState state, const ChannelBasis& old, const ChannelBasis& basis) {
-  const Eigen::MatrixXf to = conversion(old, basis);
+  const Eigen::MatrixXf to = channel_conversion(old, basis);
   std::vector<Field<float>> pigment;
   for (int layer = 0; layer < state.layers; ++layer) {
     for (int c = 0; c < basis.channels(); ++c) {

@@ -22,6 +22,10 @@ Result<std::vector<Pigment>> join_palettes(const std::vector<Pigment>& first,
 /// that is what `old` has.
 ChannelBasis channels_after(const ChannelBasis& old, const std::vector<Pigment>& palette);
 
+/// Row c: what channel c of `basis`, which came from channels_after(), has per unit of each channel
+/// of `old`.
+Eigen::MatrixXf channel_conversion(const ChannelBasis& old, const ChannelBasis& basis);
+
 /// The same paint in the channels of `basis`, which came from channels_after(): pigments keep their
 /// planes, or become amounts of absorption and scattering.
 CanvasState change_channels(CanvasState state, const ChannelBasis& old, const ChannelBasis& basis);

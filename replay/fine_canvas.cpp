@@ -21,11 +21,11 @@ RefinementSetup setup_of(const Simulation& simulation, int factor) {
 }
 }  // namespace
 
-Result<std::unique_ptr<FineCanvas>> FineCanvas::follow(Simulation& simulation, int factor,
+Result<std::unique_ptr<FineCanvas>> FineCanvas::follow(Simulation& simulation,
+                                                       const FineSetup& setup,
                                                        const log::PaperSpec& paper, LogFiles& files,
-                                                       const Threads& threads,
-                                                       const FineStorage& storage) {
-  const DetailLayout layout(simulation.state().geometry, factor);
+                                                       const Threads& threads) {
+  const DetailLayout layout(simulation.state().geometry, setup.factor);
   const CanvasGeometry fine = layout.fine();
   Result<std::unique_ptr<PaperRows>> rows = paper_rows(paper, fine, files);
   if (!rows) return rows.error();
@@ -38,12 +38,18 @@ Result<std::unique_ptr<FineCanvas>> FineCanvas::follow(Simulation& simulation, i
       fine);
   const auto side = static_cast<std::size_t>(layout.side());
   Result<std::unique_ptr<TileStore>> store =
-      TileStore::open({side * side, storage.scratch, storage.resident_bytes});
+      TileStore::open({side * side, setup.scratch, setup.resident_bytes});
   if (!store) return store.error();
   std::unique_ptr<FineCanvas> canvas(
-      new FineCanvas(simulation, factor, std::move(ground), std::move(*store), threads));
+      new FineCanvas(simulation, setup.factor, std::move(ground), std::move(*store), threads));
   simulation.set_follower(&canvas->refinement_);
-  canvas->refinement_.restored(simulation.state());
+  if (!setup.start) {
+    canvas->refinement_.restored(simulation.state());
+    return canvas;
+  }
+  const FineStart& start = *setup.start;
+  canvas->refinement_.resume(*start.canvas, start.notes, simulation.state());
+  if (Result<void> read = start.canvas->status(); !read) return read.error();
   return canvas;
 }
 

@@ -8,6 +8,8 @@
 #include "core/detail/move_detail.h"
 #include "core/detail/moving_blocks.h"
 #include "core/detail/restore_detail.h"
+#include "core/detail/resume_detail.h"
+#include "core/fluid/conservative/settle_quanta.h"
 #include "core/fluid/scheme.h"
 
 namespace pentimento {
@@ -67,9 +69,10 @@ void Refinement::moved(const CanvasState& guide, const StepInput& in,
   zero_edges(edges_, runs);
 }
 
-void Refinement::stepped(const CanvasState& guide, const StepInput&) {
+void Refinement::stepped(const CanvasState& guide, const StepInput& in) {
   stamp_.finish();
   gather_left_edges(guide);
+  add_settled(in);
   ++steps_;
   if (!changed_.empty()) {
     for (const int t : changed_.tiles()) {
@@ -84,6 +87,12 @@ void Refinement::stepped(const CanvasState& guide, const StepInput&) {
     canvas_.trim();
   }
   free_idle_planes(guide);
+}
+
+/// Cells around the brush: the guide has rounded them all to whole quanta.
+void Refinement::add_settled(const StepInput& in) {
+  const conservative::CellBox box = conservative::settled_box(in.contact);
+  if (!box.empty()) changed_.add({box.x0, box.x1, box.y0, box.y1});
 }
 
 /// The edges of what the brush has left; the lock then finds what rounding did to them.
@@ -122,10 +131,40 @@ void Refinement::cleared() {
 void Refinement::restored(const CanvasState& guide) {
   cleared();
   restore_detail(canvas_, guide, threads_);
-  if (!setup_.locked) return;
-  ChangedBlocks all(canvas_.layout());
-  all.add({0, setup_.guide.width, 0, setup_.guide.height});
-  lock_.lock(canvas_, guide, all.strips(), threads_);
+  // At its next step the guide rounds all it has to whole quanta.
+  changed_.add({0, setup_.guide.width, 0, setup_.guide.height});
+  if (setup_.locked) lock_.lock(canvas_, guide, changed_.strips(), threads_);
+}
+
+/// Where in the notes a tile says how long it has rested.
+std::size_t Refinement::noted_rest(int tile) const {
+  const int columns = kNotedPigment + canvas_.layers() * canvas_.channels();
+  return static_cast<std::size_t>(tile) * static_cast<std::size_t>(columns) + kNotedRest;
+}
+
+DetailNotes Refinement::notes() const {
+  DetailNotes notes = note_canvas(canvas_);
+  for (const int t : idle_)
+    notes.tile[noted_rest(t)] =
+        static_cast<std::uint32_t>(1 + steps_ - locked_[static_cast<std::size_t>(t)]);
+  note_changed(changed_, canvas_.layout(), notes);
+  notes.left = left_.stamped();
+  return notes;
+}
+
+void Refinement::resume(const CanvasSource& fine, const DetailNotes& notes,
+                        const CanvasState& guide) {
+  cleared();
+  resume_detail(canvas_, fine, notes, guide);
+  steps_ = kRest;
+  for (int t = 0; t < canvas_.layout().tiles(); ++t) {
+    const std::int64_t rest = notes.tile[noted_rest(t)];
+    if (rest == 0) continue;
+    locked_[static_cast<std::size_t>(t)] = steps_ - std::min(rest - 1, kRest);
+    idle_.push_back(t);
+  }
+  recall_changed(notes, canvas_.layout(), changed_);
+  left_.recall(notes.left);
 }
 
 }  // namespace pentimento

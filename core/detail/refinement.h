@@ -6,8 +6,10 @@
 #include <vector>
 
 #include "core/canvas_follower.h"
+#include "core/canvas_source.h"
 #include "core/detail/changed_blocks.h"
 #include "core/detail/detail_canvas.h"
+#include "core/detail/detail_notes.h"
 #include "core/detail/detail_stamp.h"
 #include "core/detail/left_blocks.h"
 #include "core/detail/lock.h"
@@ -41,6 +43,12 @@ class Refinement : public CanvasFollower {
   void cleared() override;
   void restored(const CanvasState& guide) override;
 
+  /// The canvas is clear and becomes one that was dumped: its planes, what its refinement's notes()
+  /// said then, and the guide that goes with them. As if nothing had happened.
+  void resume(const CanvasSource& fine, const DetailNotes& notes, const CanvasState& guide);
+  /// What canvas() does not tell, once settled.
+  DetailNotes notes() const;
+
   /// Does what still waits to be done: from then on canvas() has every stamp.
   void settle() { stamp_.finish(); }
   const DetailCanvas& canvas() const { return canvas_; }
@@ -48,7 +56,9 @@ class Refinement : public CanvasFollower {
 
  private:
   void gather_left_edges(const CanvasState& guide);
+  void add_settled(const StepInput& in);
   void free_idle_planes(const CanvasState& guide);
+  std::size_t noted_rest(int tile) const;
 
   RefinementSetup setup_;
   const Threads& threads_;

@@ -54,6 +54,21 @@ Handle open_dataset(hid_t file, const std::string& name) {
   return {H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose};
 }
 
+template <typename T>
+std::optional<std::vector<T>> read_values(hid_t file, const std::string& name,
+                                          const std::vector<std::uint64_t>& shape,
+                                          hid_t memory_type) {
+  if (dataset_shape(file, name) != shape) return std::nullopt;
+  std::uint64_t count = 1;
+  for (const std::uint64_t n : shape) count *= n;
+  std::vector<T> values(count);
+  if (count == 0) return values;
+  const Handle dataset = open_dataset(file, name);
+  if (H5Dread(dataset.id(), memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0)
+    return std::nullopt;
+  return values;
+}
+
 }  // namespace
 
 std::optional<std::string> text_attribute(hid_t object, const std::string& name) {
@@ -106,15 +121,12 @@ std::optional<std::vector<std::uint64_t>> dataset_shape(hid_t file, const std::s
 
 std::optional<std::vector<double>> read_doubles(hid_t file, const std::string& name,
                                                 const std::vector<std::uint64_t>& shape) {
-  if (dataset_shape(file, name) != shape) return std::nullopt;
-  std::uint64_t count = 1;
-  for (const std::uint64_t n : shape) count *= n;
-  std::vector<double> values(count);
-  if (count == 0) return values;
-  const Handle dataset = open_dataset(file, name);
-  if (H5Dread(dataset.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0)
-    return std::nullopt;
-  return values;
+  return read_values<double>(file, name, shape, H5T_NATIVE_DOUBLE);
+}
+
+std::optional<std::vector<std::uint32_t>> read_words(hid_t file, const std::string& name,
+                                                     const std::vector<std::uint64_t>& shape) {
+  return read_values<std::uint32_t>(file, name, shape, H5T_NATIVE_UINT32);
 }
 
 std::optional<std::vector<std::string>> read_strings(hid_t file, const std::string& name,

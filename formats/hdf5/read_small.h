@@ -28,6 +28,9 @@ std::optional<std::vector<std::uint64_t>> dataset_shape(hid_t file, const std::s
 /// Nothing unless there is such a dataset of exactly this shape.
 std::optional<std::vector<double>> read_doubles(hid_t file, const std::string& name,
                                                 const std::vector<std::uint64_t>& shape);
+/// The same of whole numbers.
+std::optional<std::vector<std::uint32_t>> read_words(hid_t file, const std::string& name,
+                                                     const std::vector<std::uint64_t>& shape);
 /// Nothing unless there is a list of at most `most` strings.
 std::optional<std::vector<std::string>> read_strings(hid_t file, const std::string& name,
                                                      std::size_t most);

@@ -14,6 +14,7 @@
 #include "formats/hdf5/handle.h"
 #include "formats/hdf5/layout.h"
 #include "formats/hdf5/lighting_parts.h"
+#include "formats/hdf5/notes.h"
 #include "formats/hdf5/read_canvas.h"
 #include "formats/hdf5/read_small.h"
 #include "formats/hdf5/rehearsal.h"
@@ -260,6 +261,10 @@ Result<void> StateReader::open_fine(StateDump& dump) const {
   auto source = hdf5::DumpSource::open(path_, *shape, fine, guide.step, kCacheBytes);
   if (!source) return source.error();
   dump.fine = std::move(*source);
+  Result<std::optional<DetailNotes>> notes =
+      hdf5::read_notes({file_, path_, ""}, {guide, dump.detail});
+  if (!notes) return notes.error();
+  dump.notes = std::move(*notes);
   return {};
 }
 

@@ -3,9 +3,11 @@
 // go on. Written as a core image, then published atomically; success is our verified rename.
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "core/canvas_source.h"
+#include "core/detail/detail_notes.h"
 #include "core/model.h"
 #include "core/optics/channels.h"
 #include "core/optics/lighting.h"
@@ -22,6 +24,8 @@ struct StateDump {
   /// reader's reads from the file, part by part.
   int detail = 1;
   std::shared_ptr<const CanvasSource> fine;
+  /// What `fine` keeps beside its planes, to go on from it. None: it can be looked at only.
+  std::optional<DetailNotes> notes;
   Model model;
   ChannelBasis basis;
   std::vector<Pigment> palette;

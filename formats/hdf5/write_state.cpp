@@ -8,6 +8,7 @@
 #include "formats/hdf5/chunked.h"
 #include "formats/hdf5/handle.h"
 #include "formats/hdf5/lighting_parts.h"
+#include "formats/hdf5/notes.h"
 #include "formats/hdf5/output_driver.h"
 #include "formats/hdf5/read_state.h"
 #include "formats/hdf5/sleep.h"
@@ -191,7 +192,9 @@ bool write_canvases(hid_t file, const StateDump& dump, int level, const Threads&
   bool ok = hdf5::write_canvas(file, *dump.fine, {"", kTileSide, level}, threads);
   for (const char* group : kGuideGroups) ok = ok && hdf5::make_group(file, group);
   return ok && hdf5::write_canvas(file, guide, {"/guide", 0, level}, threads) &&
-         hdf5::write_sleep(file, "/guide", dump.state);
+         hdf5::write_sleep(file, "/guide", dump.state) &&
+         (!dump.notes ||
+          hdf5::write_notes(file, *dump.notes, {dump.state, dump.detail}, level, threads));
 }
 
 bool write_content(hid_t file, const StateDump& dump, const Hashes& hashes,

@@ -48,6 +48,7 @@ class Painted {
 
   Simulation& sim() { return sim_; }
   const Refinement& refinement() const { return *refinement_; }
+  Refinement& refinement() { return *refinement_; }
   const TileStore& store() const { return *store_; }
 
   /// A stroke, 0.6 s long, with steps in between.
@@ -76,6 +77,29 @@ class Painted {
     for (const Stamp& stamp : stamps) sim_.stamp(0, stamp);
     sim_.end_stroke(0);
     sim_.step();
+  }
+
+  /// A touch at one place, with no step after it.
+  void stamp_once(double x, double y) {
+    sim_.begin_stroke(0, ++stroke_);
+    StrokePath path(0.025, 0.2, 0.15);
+    std::vector<Stamp> stamps;
+    TouchSample s;
+    s.x_m = x;
+    s.y_m = y;
+    s.diameter_m = 0.02f;
+    path.begin(s);
+    path.finish(stamps);
+    for (const Stamp& stamp : stamps) sim_.stamp(0, stamp);
+    sim_.end_stroke(0);
+  }
+
+  /// Becomes what `other` is, by what a dump of it has.
+  void go_on_from(const Painted& other, CanvasState state, const CanvasSource& fine,
+                  const DetailNotes& notes) {
+    sim_.restore(std::move(state));
+    refinement_->resume(fine, notes, sim_.state());
+    stroke_ = other.stroke_;
   }
 
   void cross() {
@@ -157,6 +181,7 @@ inline double block_mean(const DetailCanvas& canvas, const WetPlane& q, int x, i
 struct Difference {
   double relative_l2 = 0;  // the L2 norm itself where the guide has nothing
   double psnr_db = 0;      // of the largest value that the guide has
+  double worst_block = 0;  // the largest difference relative to what the guide's cell has
 };
 
 /// Of the depth (-1) or a channel, summed over its layers.
@@ -166,7 +191,7 @@ inline Difference reduced_difference(const DetailCanvas& canvas, const CanvasSta
   for (int layer = 0; layer < guide.layers; ++layer)
     planes.push_back(WetPlane{layer * guide.channels + channel});
   if (channel < 0) planes = {WetPlane{}};
-  double difference = 0, size = 0, largest = 0;
+  double difference = 0, size = 0, largest = 0, worst = 0;
   for (int y = 0; y < guide.geometry.height; ++y) {
     for (int x = 0; x < guide.geometry.width; ++x) {
       double wanted = 0, held = 0;
@@ -177,11 +202,12 @@ inline Difference reduced_difference(const DetailCanvas& canvas, const CanvasSta
       difference += (held - wanted) * (held - wanted);
       size += wanted * wanted;
       largest = std::max(largest, wanted);
+      if (wanted > 0) worst = std::max(worst, std::abs(held - wanted) / wanted);
     }
   }
   const double cells = static_cast<double>(guide.geometry.width) * guide.geometry.height;
   return {size > 0 ? std::sqrt(difference / size) : std::sqrt(difference),
-          10 * std::log10(largest * largest * cells / difference)};
+          10 * std::log10(largest * largest * cells / difference), worst};
 }
 
 }  // namespace pentimento::test
