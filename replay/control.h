@@ -12,7 +12,7 @@
 namespace pentimento {
 
 struct ProgressState {
-  std::string_view phase;  // "read", "simulate", "shade", "encode"
+  std::string_view phase;  // "read", "survey", "simulate", "shade", "encode"
   std::int64_t done = 0;
   std::int64_t total = 0;  // 0: not known
 };

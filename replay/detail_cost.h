@@ -6,21 +6,34 @@
 
 namespace pentimento {
 
+/// Memory of the finer canvas, bytes.
 struct DetailCost {
-  // Memory of the finer canvas, bytes.
   double wet_cell = 8;      // depth and base, in a tile with wet paint
   double pigment_cell = 4;  // for each layer and channel that the tile has
   double dried_cell = 12;   // reflectance, once something has dried in the tile
   double base_cell = 4;     // base, in a tile that is dry
   double bare_tile = 16;    // where there never was paint
-  // Processor time, as multiples of what a cell of the guide that is awake takes in a step.
-  double stamp = 370;                // a stamp on the guide, whatever its size: mostly one thread's
-  double stamped_cell = 1.0;         // a cell of the guide under a stamp
-  double fine_stamp = 700;           // a stamp on the finer canvas, whatever its size
-  double stamped_cell_steps = 0.28;  // a fine cell under a stamp
-  double moved_cell_steps = 0.18;    // a fine cell of an awake tile, per step
-  double canvas_cell = 0.5;          // a fine cell hashed, per stop
-  double picture_pixel = 0.8;        // shaded and encoded
+};
+
+/// Processor time, as multiples of what a wet cell of a small canvas takes in a step.
+struct TimeCost {
+  // The guide.
+  double awake_cell = 3.5;         // a cell of a tile where paint was laid lately, per step
+  double tilted_cell = 2.7;        // a cell of a wet tile while the canvas is tilted, per step
+  double stamped_cell = 0.4;       // a cell under a stamp
+  double stamp = 380;              // a stamp, whatever its size
+  double guide_shared_frac = 0.2;  // that all threads do together
+  // What a finer canvas of any size takes: notes of stamps, blocks that are corrected.
+  double followed_cell = 17.5;       // a cell of the guide under a stamp
+  double followed_stamp = 380;       // a stamp, whatever its size
+  double followed_tilted_cell = 20;  // a cell of the guide in wet tiles while tilted, per step
+  double followed_shared_frac = 0.5;
+  // Its cells.
+  double fine_awake_cell = 0.62;   // a fine cell of awake tiles, per step
+  double fine_tilted_cell = 1.35;  // a fine cell of wet tiles while tilted, per step
+  double canvas_cell = 1;          // a fine cell hashed, per stop
+  double picture_pixel = 2.7;      // shaded and encoded
+  double fine_shared_frac = 0.9;
 };
 
 }  // namespace pentimento

@@ -18,7 +18,8 @@ struct JobEstimate {
   std::int64_t steps = 0;
   JobNeeds needs;
   PaintSurvey survey;
-  double time_s = 0;  // on this machine, were it idle
+  double cell_step_s = 0;  // of a small wet canvas on this machine, one thread
+  double time_s = 0;       // on this machine, were it idle
   std::string log_sha256;
 };
 

@@ -43,13 +43,15 @@ Result<void> note_event(const log::Event& event, LogFiles& files, LogPlan& plan)
 }  // namespace
 
 Result<LogPlan> plan_log(log::Reader& reader, LogFiles& files,
-                         const std::vector<StopPoint>& stops_wanted, const PaintMaker& maker) {
+                         const std::vector<StopPoint>& stops_wanted, const PaintMaker& maker,
+                         const Control& control) {
   Result<Palette> palette = Palette::make(reader.header().palette, maker);
   if (!palette) return palette.error();
   LogPlan plan;
   plan.palette = std::move(*palette);
   StopFinder finder(stops_wanted);
   while (true) {
+    if (Result<void> go = control.go_on(); !go) return go.error();
     Result<std::optional<log::Event>> event = reader.next();
     if (!event) return event.error();
     if (!event->has_value()) break;

@@ -9,6 +9,7 @@
 
 #include "core/result.h"
 #include "formats/log/reader.h"
+#include "replay/control.h"
 #include "replay/log_files.h"
 #include "replay/palette.h"
 #include "replay/stop_points.h"
@@ -31,8 +32,9 @@ struct LogPlan {
 };
 
 /// Reads the log from its first event to its end and rewinds it. `maker` makes its paints. Errors:
-/// the reader's; those of the files; kUsage for a stop that is not in the log.
+/// the reader's; those of the files; kUsage for a stop that is not in the log; kInterrupted.
 Result<LogPlan> plan_log(log::Reader& reader, LogFiles& files,
-                         const std::vector<StopPoint>& stops_wanted, const PaintMaker& maker = {});
+                         const std::vector<StopPoint>& stops_wanted, const PaintMaker& maker = {},
+                         const Control& control = {});
 
 }  // namespace pentimento

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "formats/log/model_fields.h"
+#include "replay/changed_canvas.h"
 #include "replay/channel_change.h"
 #include "replay/paper_relief.h"
 #include "replay/timeline/step_clock.h"
@@ -114,6 +115,34 @@ std::int64_t steps_to_simulate(const LogPlan& plan, const RenderJob& job, double
   return steps + StepClock(steps_per_second).steps_in(settle_us);
 }
 
+/// Goes on with the dump's finer canvas if it is as fine as this one. Otherwise says what becomes
+/// of it.
+void choose_fine_start(const RenderJob& job, LogSession& session, const Control& control) {
+  if (!session.start) return;
+  StateDump& dump = *session.start;
+  const std::shared_ptr<const CanvasSource> fine = std::move(dump.fine);
+  const int k = session.detail;
+  if (fine && dump.notes && dump.detail == k) {
+    session.fine_start = {change_channels(fine, dump.basis, session.basis),
+                          change_channels(std::move(*dump.notes), dump, session.basis)};
+    return;
+  }
+  const auto tell = [&](const std::string& why) { control.warning(job.from + ": " + why); };
+  if (k == 1 && fine) {
+    tell(
+        fmt::format("its canvas is {} times finer than its guide, which alone goes on without "
+                    "--detail {}",
+                    dump.detail, dump.detail));
+  } else if (k > 1) {
+    tell(fmt::format("{}; the finer canvas is made anew from the guide",
+                     dump.detail == k ? "its finer canvas has no /detail to go on from"
+                     : fine
+                         ? fmt::format("its canvas is {} times finer than its guide, this one {}",
+                                       dump.detail, k)
+                         : "it has no finer canvas"));
+  }
+}
+
 void tell_oddities(const LogSession& session, const Control& control) {
   if (!session.plan.salvaged.empty()) control.warning(session.plan.salvaged);
   if (session.plan.undo.idle() > 0) {
@@ -143,7 +172,8 @@ Result<LogSession> open_session(const RenderJob& job, const Control& control) {
   session.brushes = std::move(*brushes);
   control.report({"read", 0, 0});
   session.maker = PaintMaker(session.model);
-  Result<LogPlan> plan = plan_log(*session.reader, session.files, job.stops, session.maker);
+  Result<LogPlan> plan =
+      plan_log(*session.reader, session.files, job.stops, session.maker, control);
   if (!plan) return plan.error();
   session.plan = std::move(*plan);
   session.palette = session.plan.palette;
@@ -159,6 +189,7 @@ Result<LogSession> open_session(const RenderJob& job, const Control& control) {
     session.grid = session.refine == Refine::kDirect ? simulation_grid(*size, job, session.canvas)
                                                      : session.canvas;
   }
+  choose_fine_start(job, session, control);
   session.steps = steps_to_simulate(session.plan, job, header.steps_per_second);
   tell_oddities(session, control);
   return session;

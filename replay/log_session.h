@@ -10,6 +10,7 @@
 #include "formats/log/reader.h"
 #include "replay/brushes.h"
 #include "replay/control.h"
+#include "replay/fine_canvas.h"
 #include "replay/log_files.h"
 #include "replay/log_plan.h"
 #include "replay/render_job.h"
@@ -26,8 +27,9 @@ struct LogSession {
   Palette palette;      // of the dump, if any, and the log
   int first_color = 0;  // index of what the first brush is loaded with
   ChannelBasis basis;
-  std::optional<StateDump> start;  // --from, its channels in `basis`
-  CanvasGeometry canvas;           // the log's grid
+  std::optional<StateDump> start;  // --from, its guide's channels in `basis`; without its `fine`
+  std::optional<FineStart> fine_start;  // the finer canvas that goes on
+  CanvasGeometry canvas;                // the log's grid
   OutputSize size;
   CanvasGeometry grid;  // of the simulation
   Refine refine = Refine::kGuided;

@@ -16,6 +16,7 @@ constexpr std::int64_t kProgramme = 75 * kMB;     // code, libraries
 constexpr std::int64_t kSchemePlanes = 24;        // scratch of a scheme and the brush's contact
 constexpr std::int64_t kShader = 60 * kMB;        // Mesa and what it compiles
 constexpr std::int64_t kDumpCache = 64 * kMB;     // chunks being compressed
+constexpr std::int64_t kDumpRead = 256 * kMB;     // of a finer canvas that goes on, at most
 constexpr std::int64_t kLeastDetail = 128 * kMB;  // of a scratch file held: tiles at work
 
 std::int64_t state_bytes(const LogSession& session) {
@@ -101,7 +102,9 @@ std::int64_t limit_of(const RenderJob& job) {
 
 std::int64_t guide_bytes(const LogSession& session) {
   const std::int64_t cells = std::int64_t{session.grid.width} * session.grid.height;
-  return kProgramme + state_bytes(session) + cells * kSchemePlanes * 4;
+  const std::int64_t fine = state_bytes(session) * session.detail * session.detail;
+  const std::int64_t read = session.fine_start ? std::min(kDumpRead, fine) : 0;
+  return kProgramme + state_bytes(session) + cells * kSchemePlanes * 4 + read;
 }
 
 std::int64_t budget_beside(std::int64_t others, const RenderJob& job) {

@@ -14,13 +14,15 @@ struct PaintSurvey {
   std::int64_t stamps = 0;
   double stamped_cells = 0;     // cells of the guide under stamps, each time counted
   double awake_cell_steps = 0;  // cells of the guide in tiles where paint was laid lately, per step
-  std::int64_t tiles = 0;       // of the finer canvas that ever have paint
+  double tilted_cell_steps = 0;  // cells of wet tiles, per step in which the canvas is tilted
+  std::int64_t tiles = 0;        // of the finer canvas that ever have paint
   std::int64_t all_tiles = 0;
   double detail_bytes = 0;  // of the finer canvas, when it holds most
 };
 
 /// Plays the session's log from its first event up to its last stop and rewinds it. Errors: the
-/// reader's.
-Result<PaintSurvey> survey_paint(LogSession& session, const DetailCost& cost);
+/// reader's; kInterrupted.
+Result<PaintSurvey> survey_paint(LogSession& session, const DetailCost& cost,
+                                 const Control& control = {});
 
 }  // namespace pentimento

@@ -130,11 +130,11 @@ Result<void> Replay::begin() {
   simulation_ = std::move(*simulation);
   first_step_ = simulation_->state().step;
   if (session_.detail > 1) {
-    FineStorage storage{job_.scratch, 0};
-    if (!job_.scratch.empty()) storage.resident_bytes = resident_budget(job_, session_);
-    Result<std::unique_ptr<FineCanvas>> fine =
-        FineCanvas::follow(*simulation_, session_.detail, session_.reader->header().paper,
-                           session_.files, threads_, storage);
+    FineSetup setup{session_.detail, job_.scratch, 0, {}};
+    if (!job_.scratch.empty()) setup.resident_bytes = resident_budget(job_, session_);
+    setup.start = std::exchange(session_.fine_start, {});
+    Result<std::unique_ptr<FineCanvas>> fine = FineCanvas::follow(
+        *simulation_, setup, session_.reader->header().paper, session_.files, threads_);
     if (!fine) return fine.error();
     fine_ = std::move(*fine);
   }
@@ -224,7 +224,10 @@ StateDump Replay::dump_of(const CanvasView& view, Lighting lighting, const Origi
   StateDump dump;
   dump.state = clone_state(simulation_->state());
   dump.detail = view.detail;
-  if (view.detail > 1) dump.fine = view.canvas;
+  if (view.detail > 1) {
+    dump.fine = view.canvas;
+    dump.notes = fine_->notes();
+  }
   dump.model = simulation_->model();
   dump.basis = simulation_->basis();
   dump.palette = session_.palette.pigments();
@@ -266,7 +269,7 @@ Result<JobReport> render(const RenderJob& job, const Control& control) {
   if (!session) return session.error();
   Result<PaintSurvey> survey = PaintSurvey{};
   if (session->detail > 1)
-    survey = survey_paint(*session, DetailCost());  // else nothing follows it
+    survey = survey_paint(*session, DetailCost(), control);  // else nothing follows it
   if (!survey) return survey.error();
   if (Result<void> fits = check_memory(job, *session, *survey); !fits) return fits.error();
   Replay replay(job, *session, control, watch);

@@ -91,21 +91,40 @@ TEST(CommandErrors, FailedWritingAndReadingIsFive) {
   EXPECT_EQ(lines_in(full.err), 1u);
 }
 
-TEST(CommandErrors, ASignalIsSeventyFiveAndLeavesNothing) {
-  Workplace place;
-  // Minutes of brushing to and fro, of which a second is never enough.
+/// `moves` tenths of a second of brushing to and fro.
+std::string brushing(int moves) {
   std::string log = kSmallLog;
+  log += R"({"t":2,"type":"slider","name":"size","value":0.2})"
+         "\n";
   log += R"({"t":2,"type":"touch","phase":"down","x":0.1,"y":0.1})"
          "\n";
-  for (int i = 1; i <= 1000; ++i)
+  for (int i = 1; i <= moves; ++i)
     log += fmt::format(R"({{"t":{},"type":"touch","phase":"move","x":{},"y":0.2}})"
                        "\n",
                        2 + 0.1 * i, i % 2 == 0 ? 0.1 : 0.3);
-  place.write("long.jsonl", log);
+  return log;
+}
+
+TEST(CommandErrors, ASignalIsSeventyFiveAndLeavesNothing) {
+  Workplace place;
+  place.write("long.jsonl", brushing(1000));  // of which a second is never enough
   for (const char* signal : {"INT", "TERM"}) {
     const Ran ran = place.run("render long.jsonl -o a.png --scale 4",
                               "timeout -s " + std::string(signal) + " --preserve-status 1");
     EXPECT_EQ(ran.code, 75) << ran.err;
+    EXPECT_EQ(place.files(), 2u);
+  }
+}
+
+TEST(CommandErrors, ASignalEndsTheSurveyBeforeAPosterToo) {
+  Workplace place;
+  place.write("long.jsonl", brushing(20000));  // surveyed in some 20 s
+  for (const char* what : {"", " --dry-run"}) {
+    const Ran ran = place.run(std::string("render long.jsonl -o a.png --scale 4").append(what),
+                              "timeout -s INT --preserve-status 1");
+    EXPECT_EQ(ran.code, 75) << ran.err;
+    EXPECT_EQ(lines_in(ran.err), 1u) << ran.err;
+    EXPECT_EQ(ran.out, "");
     EXPECT_EQ(place.files(), 2u);
   }
 }

@@ -186,8 +186,8 @@ TEST(CommandRender, ASessionCutInTwoEndsInTheStateOfTheWhole) {
   place.write("whole.jsonl", kSmallLog + R"({"t":5.21,"type":"mark","name":"over"})" + "\n");
   const std::string colour = R"({"t":0,"type":"color","value":"#e0c020"})";
   place.write("idle.jsonl", idle_log(colour + "\n", 3.99));
-  for (const std::string scheme : {"conservative", "paper"}) {
-    const std::string with = " --json --scheme " + scheme;
+  for (const std::string options : {"--scheme conservative", "--scheme paper", "--detail 3"}) {
+    const std::string with = " --json " + options;
     const Ran whole = place.run("render whole.jsonl -o whole.h5" + with);
     ASSERT_EQ(place.run("render a.jsonl -o half.h5" + with).code, 0);
     const Ran rest = place.run("render idle.jsonl --from half.h5 -o rest.h5" + with);
@@ -196,6 +196,44 @@ TEST(CommandRender, ASessionCutInTwoEndsInTheStateOfTheWhole) {
     EXPECT_EQ(json_member(rest.out, "state_sha256"), json_member(whole.out, "state_sha256"));
     EXPECT_EQ(place.run("compare whole.h5 rest.h5").code, 0);
   }
+}
+
+TEST(CommandRender, AFinerCanvasGoesOnOverTheSamePicture) {
+  Workplace place;
+  ASSERT_EQ(place.run("render a.jsonl -o p.png").code, 0);
+  std::string half = kSmallLog;
+  half.insert(half.find('\n') + 1, R"({"t":0,"type":"load","file":"p.png"})"
+                                   "\n");
+  place.write("half.jsonl", half);
+  place.write("whole.jsonl", half + R"({"t":2.21,"type":"mark","name":"over"})" + "\n");
+  place.write("idle.jsonl", idle_log(R"({"t":0,"type":"color","value":"#e0c020"})"
+                                     "\n",
+                                     0.99));
+  const Ran whole = place.run("render whole.jsonl -o whole.h5 --detail 2 --json");
+  ASSERT_EQ(place.run("render half.jsonl -o half.h5 --detail 2").code, 0);
+  const Ran rest = place.run("render idle.jsonl --from half.h5 -o rest.h5 --detail 2 --json");
+  EXPECT_EQ(json_member(rest.out, "state_sha256"), json_member(whole.out, "state_sha256"));
+  EXPECT_NE(json_member(whole.out, "state_sha256"), "");
+}
+
+TEST(CommandRender, AFinerCanvasThatCannotGoOnIsMadeAnewAndSaysSo) {
+  Workplace place;
+  place.write("idle.jsonl", idle_log("", 0.5));
+  ASSERT_EQ(place.run("render a.jsonl -o 1.h5").code, 0);
+  ASSERT_EQ(place.run("render a.jsonl -o 2.h5 --detail 2").code, 0);
+  const auto says = [&](const std::string& options) {
+    const Ran ran = place.run("render idle.jsonl -o b.h5 --json " + options);
+    EXPECT_EQ(ran.code, 0) << ran.err;
+    return ran.err;
+  };
+  EXPECT_EQ(says("--from 2.h5 --detail 2"), "");
+  EXPECT_NE(says("--from 2.h5 --detail 3")
+                .find("2.h5: its canvas is 2 times finer than its guide, "
+                      "this one 3; the finer canvas is made anew"),
+            std::string::npos);
+  EXPECT_NE(says("--from 1.h5 --detail 2").find("it has no finer canvas; the finer canvas is made"),
+            std::string::npos);
+  EXPECT_NE(says("--from 2.h5").find("which alone goes on without --detail 2"), std::string::npos);
 }
 
 TEST(CommandRender, AModelParameterCanBeSet) {

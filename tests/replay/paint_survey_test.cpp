@@ -68,12 +68,57 @@ TEST(PaintSurvey, APigmentMoreTakesItsPlanesAndDryingGivesThemBack) {
                    cells * (cost.wet_cell + 2 * cost.pigment_cell + cost.dried_cell) + bare);
 }
 
+TEST(PaintSurvey, ThinPaintMovesLonger) {
+  const std::string end = line(R"({"t":9,"type":"mark","name":"end"})");
+  const std::string thin = line(R"({"t":0,"type":"slider","name":"pigment","value":0.15})");
+  const double usual = survey(stroke(0, 0.15) + end).awake_cell_steps;
+  const double runny = survey(thin + stroke(0, 0.15) + end).awake_cell_steps;
+  EXPECT_GT(runny, 2 * usual);  // medium 0.5: 31 steps in place of 9 after the last touch
+}
+
 TEST(PaintSurvey, TiltedPaintStaysAwake) {
   const std::string end = line(R"({"t":9,"type":"mark","name":"end"})");
   const std::string tilt = line(R"({"t":1,"type":"gravity","x":3,"y":0,"z":9})");
-  const double flat = survey(stroke(0, 0.15) + end).awake_cell_steps;
-  // 8 s of 45 steps in place of 9 after each tile's last touch.
-  EXPECT_GT(survey(stroke(0, 0.15) + tilt + end).awake_cell_steps, 10 * flat);
+  const PaintSurvey flat = survey(stroke(0, 0.15) + end);
+  EXPECT_EQ(flat.tilted_cell_steps, 0);
+  // 8 s of 45 steps besides 9 after each tile's last touch.
+  EXPECT_GT(survey(stroke(0, 0.15) + tilt + end).tilted_cell_steps, 10 * flat.awake_cell_steps);
+}
+
+TEST(PaintSurvey, CountsWhatADumpBrings) {
+  const test::Scratch scratch;
+  Result<LogSession> session = session_of(scratch, stroke(0, 0.1), 8);
+  ASSERT_TRUE(session);
+  const Result<PaintSurvey> fresh = survey_paint(*session, DetailCost());
+  session->start.emplace();
+  CanvasState& state = session->start->state;
+  state = make_canvas_state(session->grid, session->model.layers, session->basis.channels(), 3, 1);
+  for (int y = 200; y < 232; ++y) {
+    state.pigment[1].row(y)[100] = 0.1f;  // red, two tiles of 16 cells high
+    state.base_m.row(y)[300] += 1e-4f;    // dried, in others
+  }
+  const Result<PaintSurvey> more = survey_paint(*session, DetailCost());
+  ASSERT_TRUE(fresh && more);
+  EXPECT_EQ(more->tiles, fresh->tiles + 6);  // 200 to 231 lies in three rows of tiles
+  EXPECT_GT(more->detail_bytes, fresh->detail_bytes);
+}
+
+TEST(PaintSurvey, StopsWhereItIsToldTo) {
+  const test::Scratch scratch;
+  Result<LogSession> session = session_of(scratch, stroke(0, 0.1) + stroke(2, 0.2), 8);
+  ASSERT_TRUE(session);
+  std::atomic<bool> stop = false;
+  std::int64_t last_step = 0;
+  Control control;
+  control.cancelled = &stop;
+  control.progress = [&](const ProgressState& state) {
+    last_step = state.done;
+    stop = state.done >= 9;  // 0.2 s
+  };
+  const Result<PaintSurvey> survey = survey_paint(*session, DetailCost(), control);
+  ASSERT_FALSE(survey);
+  EXPECT_EQ(survey.error().code, ErrorCode::kInterrupted);
+  EXPECT_LT(last_step, 23);  // before the first stroke was over
 }
 
 }  // namespace
