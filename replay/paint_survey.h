@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "core/result.h"
+#include "replay/awake_tiles.h"
 #include "replay/detail_cost.h"
 #include "replay/log_session.h"
 
@@ -13,9 +14,9 @@ namespace pentimento {
 struct PaintSurvey {
   std::int64_t stamps = 0;
   double stamped_cells = 0;     // cells of the guide under stamps, each time counted
-  double awake_cell_steps = 0;  // cells of the guide in tiles where paint was laid lately, per step
-  double tilted_cell_steps = 0;  // cells of wet tiles, per step in which the canvas is tilted
-  std::int64_t tiles = 0;        // of the finer canvas that ever have paint
+  double stamped_channels = 0;  // each of them once for every channel wet there
+  MovingPaint awake, tilted;    // after stamps; while the canvas is tilted
+  std::int64_t tiles = 0;       // of the finer canvas that ever have paint
   std::int64_t all_tiles = 0;
   double detail_bytes = 0;  // of the finer canvas, when it holds most
 };

@@ -11,7 +11,8 @@ namespace {
 constexpr int kMasterSize = 256;  // a tip of 30 mm has texels of 0.12 mm, a hair's width
 constexpr int kPresses = 5;       // drawings from the lightest touch to all hairs down
 constexpr int kDrynesses = 8;
-constexpr float kWetFrac = 0.8f;  // from here on all hairs give alike
+constexpr float kWetFrac = 0.8f;                       // from here on all hairs give alike
+constexpr float kEndsFrom = 0.65f, kEndsPerValue = 5;  // a tip's ends: values of 0.65 to 0.85
 
 /// FNV-1a of the name.
 std::uint64_t seed_of(const std::string& name) {
@@ -108,7 +109,7 @@ void Tip::fill_ends(const Field<float>& widest) {
     const float at = std::clamp(row, 0.0f, kMasterSize - 1.001f);
     const std::size_t low = static_cast<std::size_t>(at);
     const float value = most[low] + (at - static_cast<float>(low)) * (most[low + 1] - most[low]);
-    ends_[i] = std::clamp((value - 0.65f) * 5, 0.0f, 1.0f);
+    ends_[i] = std::clamp((value - kEndsFrom) * kEndsPerValue, 0.0f, 1.0f);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "core/detail/level_rows.h"
+#include "core/detail/smooth_field.h"
 
 namespace pentimento {
 
@@ -47,10 +48,8 @@ std::vector<float> spline_means(const std::vector<float>& value, int width, int 
 }
 
 /// Weights of five cells for a point `at` cells from the centre of the middle one, |at| <= 1/2.
-std::array<float, 5> spline_weights(float at) {
-  const float t = at < 0 ? at + 1 : at, r = 1 - t;
-  const std::array<float, 4> w = {r * r * r / 6, (4 - 6 * t * t + 3 * t * t * t) / 6,
-                                  (4 - 6 * r * r + 3 * r * r * r) / 6, t * t * t / 6};
+std::array<float, 5> weights_within(float at) {
+  const std::array<float, 4> w = spline_weights(at < 0 ? at + 1 : at);
   if (at < 0) return {w[0], w[1], w[2], w[3], 0};
   return {0, w[0], w[1], w[2], w[3]};
 }
@@ -87,9 +86,9 @@ float FilmSpline::profile_mean(std::size_t cell) const {
   constexpr std::array<float, 4> kAt = {-0.375f, -0.125f, 0.125f, 0.375f};
   float sum = 0;
   for (const float down : kAt) {
-    const std::array<float, 5> wy = spline_weights(down);
+    const std::array<float, 5> wy = weights_within(down);
     for (const float across : kAt) {
-      const std::array<float, 5> wx = spline_weights(across);
+      const std::array<float, 5> wx = weights_within(across);
       float wet = 0;
       for (int j = -kTap; j <= kTap; ++j) {
         const float* row = fill_.data() + static_cast<std::ptrdiff_t>(cell) + j * width_ - kTap;

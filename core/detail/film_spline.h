@@ -5,14 +5,16 @@
 #include <vector>
 
 #include "core/detail/detail_layout.h"
+#include "core/detail/smooth_field.h"
 #include "core/field.h"
 
 namespace pentimento {
 
 /// For a plane d of the guide (depth or a pigment), per cell:
-///   f = d / the largest d around, where one of the four cells beside it is bare; else 1 (0 if d =
-///   0) c: three times c <- c d / (M B(c) / B(f)), from c = d, each factor in [1/2, 2], c in [d/4,
-///   4d];
+///   f = d / the largest d around, where one of the four cells beside it is bare; else 1, or 0 if
+///      d = 0;
+///   c: three times c <- c d / (M B(c) / B(f)), from c = d, each factor in [1/2, 2], c in
+///      [d/4, 4d];
 ///      M: mean over the cell of the edge's profile m(W) (level_rows.h), W the spline of f;
 ///      B: mean over the cell of the spline, (1, 76, 230, 76, 1) / 384 along each axis
 /// so that the film m(W) S, S the spline of c over W, holds about what the guide's cells hold: a
@@ -24,7 +26,7 @@ namespace pentimento {
 /// they meet.
 class FilmSpline {
  public:
-  static constexpr int kMargin = 2;  // cells around the box that have coefficients
+  static constexpr int kMargin = TileNeighbourhood::kMargin;  // cells with coefficients around it
   FilmSpline(const Field<float>& plane, const GuideBox& box);
   /// Cells at most kMargin outside the box; beyond the canvas they repeat its outermost.
   float fill(int x, int y) const { return fill_[at(x, y)]; }

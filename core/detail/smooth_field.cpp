@@ -18,11 +18,8 @@ struct Phase {
 
 Phase phase_of(int within, int factor) {
   const float at = (static_cast<float>(within) + 0.5f) / static_cast<float>(factor) - 0.5f;
-  const float t = at < 0 ? at + 1 : at;  // from the lower of the two centres around
-  const float r = 1 - t;
-  return {at < 0 ? -2 : -1,
-          {r * r * r / 6, (4 - 6 * t * t + 3 * t * t * t) / 6, (4 - 6 * r * r + 3 * r * r * r) / 6,
-           t * t * t / 6}};
+  if (at < 0) return {-2, spline_weights(at + 1)};
+  return {-1, spline_weights(at)};
 }
 
 PENTIMENTO_KERNEL

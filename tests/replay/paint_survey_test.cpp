@@ -71,8 +71,8 @@ TEST(PaintSurvey, APigmentMoreTakesItsPlanesAndDryingGivesThemBack) {
 TEST(PaintSurvey, ThinPaintMovesLonger) {
   const std::string end = line(R"({"t":9,"type":"mark","name":"end"})");
   const std::string thin = line(R"({"t":0,"type":"slider","name":"pigment","value":0.15})");
-  const double usual = survey(stroke(0, 0.15) + end).awake_cell_steps;
-  const double runny = survey(thin + stroke(0, 0.15) + end).awake_cell_steps;
+  const double usual = survey(stroke(0, 0.15) + end).awake.cell_steps;
+  const double runny = survey(thin + stroke(0, 0.15) + end).awake.cell_steps;
   EXPECT_GT(runny, 2 * usual);  // medium 0.5: 31 steps in place of 9 after the last touch
 }
 
@@ -80,9 +80,9 @@ TEST(PaintSurvey, TiltedPaintStaysAwake) {
   const std::string end = line(R"({"t":9,"type":"mark","name":"end"})");
   const std::string tilt = line(R"({"t":1,"type":"gravity","x":3,"y":0,"z":9})");
   const PaintSurvey flat = survey(stroke(0, 0.15) + end);
-  EXPECT_EQ(flat.tilted_cell_steps, 0);
+  EXPECT_EQ(flat.tilted.cell_steps, 0);
   // 8 s of 45 steps besides 9 after each tile's last touch.
-  EXPECT_GT(survey(stroke(0, 0.15) + tilt + end).tilted_cell_steps, 10 * flat.awake_cell_steps);
+  EXPECT_GT(survey(stroke(0, 0.15) + tilt + end).tilted.cell_steps, 10 * flat.awake.cell_steps);
 }
 
 TEST(PaintSurvey, CountsWhatADumpBrings) {

@@ -24,8 +24,8 @@ PaintSurvey survey() {
   PaintSurvey survey;
   survey.stamps = 1000;
   survey.stamped_cells = 50'000;
-  survey.awake_cell_steps = 2e6;
-  survey.tilted_cell_steps = 3e6;
+  survey.awake.cell_steps = 2e6;
+  survey.tilted.cell_steps = 3e6;
   return survey;
 }
 
