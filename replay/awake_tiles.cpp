@@ -32,9 +32,7 @@ void AwakeTiles::touch(int x, int y, const Touch& touch) {
   if (tile.touched < 0) ++wet_tiles_;
   if (tile.touched >= 0 && touch.step > tile.touched && tilted_since_ < 0)
     add(tile, std::min(tile.settling_steps, touch.step - tile.touched));
-  wet_channels_ -= std::popcount(tile.mask);
   tile = {touch.step, touch.settling_steps, tile.mask | touch.mask};
-  wet_channels_ += std::popcount(tile.mask);
 }
 
 void AwakeTiles::touch(int x, int y, int width, int height, const Touch& touch) {
@@ -50,17 +48,14 @@ void AwakeTiles::add(const Tile& tile, std::int64_t steps) {
 }
 
 void AwakeTiles::tilt(double lateral_m_s2, std::int64_t step) {
-  if (tilted_since_ >= 0) {
-    const double cells = static_cast<double>(step - tilted_since_) * kSide * kSide;
-    tilted_.cell_steps += cells * static_cast<double>(wet_tiles_);
-    tilted_.channel_steps += cells * static_cast<double>(wet_channels_);
-  }
+  if (tilted_since_ >= 0)
+    tilted_cell_steps_ += static_cast<double>((step - tilted_since_) * wet_tiles_) * kSide * kSide;
   tilted_since_ = lateral_m_s2 > kWakingTilt_m_s2 ? step : -1;
 }
 
 void AwakeTiles::clear() {
   std::fill(tiles_.begin(), tiles_.end(), Tile());
-  wet_tiles_ = wet_channels_ = 0;
+  wet_tiles_ = 0;
 }
 
 void AwakeTiles::finish(std::int64_t step) {

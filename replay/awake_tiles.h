@@ -40,8 +40,8 @@ class AwakeTiles {
   /// The session ends at step `step`.
   void finish(std::int64_t step);
 
-  const MovingPaint& awake() const { return awake_; }    // after touches
-  const MovingPaint& tilted() const { return tilted_; }  // while the canvas is tilted
+  const MovingPaint& awake() const { return awake_; }              // after touches
+  double tilted_cell_steps() const { return tilted_cell_steps_; }  // while the canvas is tilted
 
  private:
   struct Tile {
@@ -53,9 +53,10 @@ class AwakeTiles {
 
   int columns_;
   std::vector<Tile> tiles_;
-  std::int64_t wet_tiles_ = 0, wet_channels_ = 0;  // the latter over the wet tiles
-  std::int64_t tilted_since_ = -1;                 // step; -1: lies flat
-  MovingPaint awake_, tilted_;
+  std::int64_t wet_tiles_ = 0;
+  std::int64_t tilted_since_ = -1;  // step; -1: lies flat
+  MovingPaint awake_;
+  double tilted_cell_steps_ = 0;
 };
 
 }  // namespace pentimento

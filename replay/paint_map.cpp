@@ -99,7 +99,7 @@ PaintSurvey PaintMap::finish(std::int64_t end_step) {
   measure();
   awake_.finish(end_step);
   survey_.awake = awake_.awake();
-  survey_.tilted = awake_.tilted();
+  survey_.tilted_cell_steps = awake_.tilted_cell_steps();
   survey_.all_tiles = layout_.tiles();
   return survey_;
 }

@@ -13,10 +13,11 @@ namespace pentimento {
 
 struct PaintSurvey {
   std::int64_t stamps = 0;
-  double stamped_cells = 0;     // cells of the guide under stamps, each time counted
-  double stamped_channels = 0;  // each of them once for every channel wet there
-  MovingPaint awake, tilted;    // after stamps; while the canvas is tilted
-  std::int64_t tiles = 0;       // of the finer canvas that ever have paint
+  double stamped_cells = 0;      // cells of the guide under stamps, each time counted
+  double stamped_channels = 0;   // each of them once for every channel wet there
+  MovingPaint awake;             // after stamps
+  double tilted_cell_steps = 0;  // cells of wet tiles, per step in which the canvas is tilted
+  std::int64_t tiles = 0;        // of the finer canvas that ever have paint
   std::int64_t all_tiles = 0;
   double detail_bytes = 0;  // of the finer canvas, when it holds most
 };

@@ -60,14 +60,16 @@ double job_seconds(const RenderJob& job, const LogSession& session, const PaintS
   const TimeCost cost;
   const auto stamps = static_cast<double>(survey.stamps);
   const double guide = survey.awake.cell_steps * cost.awake_cell +
-                       survey.tilted.cell_steps * cost.tilted_cell +
+                       survey.tilted_cell_steps * cost.tilted_cell +
                        survey.stamped_cells * cost.stamped_cell + stamps * cost.stamp;
   const bool follows = session.detail > 1;
-  const double followed = survey.stamped_cells * cost.followed_cell + stamps * cost.followed_stamp +
-                          survey.tilted.cell_steps * cost.followed_tilted_cell;
+  const double followed =
+      survey.stamped_cells * cost.followed_cell + survey.stamped_channels * cost.followed_channel +
+      stamps * cost.followed_stamp + survey.tilted_cell_steps * cost.followed_tilted_cell;
   const double square = static_cast<double>(session.detail) * session.detail;
   const double moved = square * (survey.awake.cell_steps * cost.fine_awake_cell +
-                                 survey.tilted.cell_steps * cost.fine_tilted_cell);
+                                 survey.awake.channel_steps * cost.fine_awake_channel +
+                                 survey.tilted_cell_steps * cost.fine_tilted_cell);
   const double pictures = static_cast<double>(std::max<std::size_t>(1, job.stops.size())) *
                           (static_cast<double>(size.width) * size.height * cost.picture_pixel +
                            square * session.grid.width * session.grid.height * cost.canvas_cell);

@@ -80,9 +80,9 @@ TEST(PaintSurvey, TiltedPaintStaysAwake) {
   const std::string end = line(R"({"t":9,"type":"mark","name":"end"})");
   const std::string tilt = line(R"({"t":1,"type":"gravity","x":3,"y":0,"z":9})");
   const PaintSurvey flat = survey(stroke(0, 0.15) + end);
-  EXPECT_EQ(flat.tilted.cell_steps, 0);
+  EXPECT_EQ(flat.tilted_cell_steps, 0);
   // 8 s of 45 steps besides 9 after each tile's last touch.
-  EXPECT_GT(survey(stroke(0, 0.15) + tilt + end).tilted.cell_steps, 10 * flat.awake.cell_steps);
+  EXPECT_GT(survey(stroke(0, 0.15) + tilt + end).tilted_cell_steps, 10 * flat.awake.cell_steps);
 }
 
 TEST(PaintSurvey, CountsWhatADumpBrings) {
