@@ -7,7 +7,7 @@
 
 #include "core/brush/builtin_brushes.h"
 #include "core/brush/stroke_path.h"
-#include "core/optics/pigment_library.h"
+#include "tests/core/three_pigments.h"
 
 namespace pentimento {
 namespace {
@@ -17,19 +17,12 @@ constexpr double kHeight_m = 0.15;
 constexpr float kDiameter_m = 0.02f;
 constexpr double kSpacing = 0.025;
 
-std::vector<Pigment> three_pigments() {
-  std::vector<Pigment> palette;
-  for (const char* name : {"Ultramarine Blue", "Vermilion", "Titanium White"})
-    palette.push_back(*find_library_pigment(name));
-  return palette;
-}
-
 SimulationSetup setup_of(int width, int layers, SchemeKind scheme = SchemeKind::kPaper) {
   SimulationSetup setup;
   setup.geometry = {width, width * 3 / 4, kWidth_m, kHeight_m};
   setup.model.layers = layers;
   setup.model.scheme = scheme;
-  setup.basis = palette_channels(three_pigments());
+  setup.basis = palette_channels(test::three_pigments());
   return setup;
 }
 
@@ -326,7 +319,7 @@ TEST(Simulation, DryingMovesThePaintIntoTheCanvas) {
 TEST(Simulation, PaletteAndOpticalChannelsGiveTheSamePicture) {
   const Threads threads(1);
   SimulationSetup optical = setup_of(128, 3);
-  optical.basis = optical_channels(three_pigments());
+  optical.basis = optical_channels(test::three_pigments());
   Simulation a(setup_of(128, 3), threads), b(std::move(optical), threads);
   for (Simulation* sim : {&a, &b}) {
     paint_crossing(*sim);

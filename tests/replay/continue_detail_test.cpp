@@ -12,6 +12,7 @@
 #include "replay/copies.h"
 #include "replay/lighting_track.h"
 #include "tests/core/detail/painted.h"
+#include "tests/core/three_pigments.h"
 #include "tests/formats/scratch.h"
 
 namespace pentimento {
@@ -20,13 +21,6 @@ namespace {
 using test::Painted;
 
 constexpr int kWidth = 64;
-
-std::vector<Pigment> palette() {
-  std::vector<Pigment> palette;
-  for (const char* name : {"Ultramarine Blue", "Vermilion", "Titanium White"})
-    palette.push_back(*find_library_pigment(name));
-  return palette;
-}
 
 /// The finer canvas of `from`, written and read.
 StateDump through_a_file(Painted& from) {
@@ -38,7 +32,7 @@ StateDump through_a_file(Painted& from) {
   dump.fine = std::make_shared<DetailSource>(from.refinement().canvas(), from.sim().state());
   dump.notes = from.refinement().notes();
   dump.model = from.sim().model();
-  dump.palette = palette();
+  dump.palette = test::three_pigments();
   dump.basis = from.sim().basis();
   dump.lighting = default_lighting();
   const auto written = write_state(scratch.path("a.h5"), dump, {});

@@ -10,8 +10,8 @@
 #include "core/brush/builtin_brushes.h"
 #include "core/brush/stroke_path.h"
 #include "core/detail/refinement.h"
-#include "core/optics/pigment_library.h"
 #include "core/simulation.h"
+#include "tests/core/three_pigments.h"
 
 namespace pentimento::test {
 
@@ -119,10 +119,7 @@ class Painted {
   static SimulationSetup setup_of(int width) {
     SimulationSetup setup;
     setup.geometry = {width, width * 3 / 4, 0.2, 0.15};
-    std::vector<Pigment> palette;
-    for (const char* name : {"Ultramarine Blue", "Vermilion", "Titanium White"})
-      palette.push_back(*find_library_pigment(name));
-    setup.basis = palette_channels(palette);
+    setup.basis = palette_channels(three_pigments());
     return setup;
   }
 

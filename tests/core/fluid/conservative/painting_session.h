@@ -7,8 +7,8 @@
 
 #include "core/brush/builtin_brushes.h"
 #include "core/brush/stroke_path.h"
-#include "core/optics/pigment_library.h"
 #include "core/simulation.h"
+#include "tests/core/three_pigments.h"
 
 namespace pentimento::conservative {
 
@@ -63,10 +63,7 @@ class PaintingSession {
     SimulationSetup s;
     s.geometry = {width, width * 3 / 4, 0.2, 0.15};
     s.model.scheme = SchemeKind::kConservative;
-    std::vector<Pigment> palette;
-    for (const char* name : {"Ultramarine Blue", "Vermilion", "Titanium White"})
-      palette.push_back(*find_library_pigment(name));
-    s.basis = palette_channels(palette);
+    s.basis = palette_channels(test::three_pigments());
     return s;
   }
 
