@@ -14,6 +14,9 @@ constexpr int kPasses = 3;
 constexpr int kTap = 2;  // cells on each side that the mean of a spline looks at
 constexpr int kAround = FilmSpline::kMargin + kPasses * kTap;
 constexpr float kMost = 4;  // c within d / 4 and 4 d
+// Where B(f) is more, no point of the cell has W below 0.99, and M is 1: even a corner of the five
+// by five cells has a weight of 7e-6.
+constexpr float kWhole = 1 - 1e-6f;
 
 float fill_at(const Field<float>& plane, int x, int y) {
   const int right = plane.width() - 1, bottom = plane.height() - 1;
@@ -47,12 +50,17 @@ std::vector<float> spline_means(const std::vector<float>& value, int width, int 
   return blur(blur(value, 1, kTap, 0), width, 0, kTap);
 }
 
-/// Weights of five cells for a point `at` cells from the centre of the middle one, |at| <= 1/2.
-std::array<float, 5> weights_within(float at) {
-  const std::array<float, 4> w = spline_weights(at < 0 ? at + 1 : at);
-  if (at < 0) return {w[0], w[1], w[2], w[3], 0};
-  return {0, w[0], w[1], w[2], w[3]};
+/// Four points of a cell along an axis: the first of the four cells around each, and their weights.
+struct Point {
+  int first;
+  std::array<float, 4> weight;
+};
+constexpr Point point_at(float from_centre) {
+  if (from_centre < 0) return {-2, spline_weights(from_centre + 1)};
+  return {-1, spline_weights(from_centre)};
 }
+constexpr std::array<Point, 4> kPoints = {point_at(-0.375f), point_at(-0.125f), point_at(0.125f),
+                                          point_at(0.375f)};
 }  // namespace
 
 FilmSpline::FilmSpline(const Field<float>& plane, const GuideBox& box)
@@ -76,26 +84,27 @@ FilmSpline::FilmSpline(const Field<float>& plane, const GuideBox& box)
   for (int y = kTap; y < height_ - kTap; ++y)
     for (int x = kTap; x < width_ - kTap; ++x) {
       const std::size_t cell = static_cast<std::size_t>(y * width_ + x);
-      if (held[cell] > 0 && spread[cell] < 1) profile[cell] = profile_mean(cell);
+      if (held[cell] > 0 && spread[cell] < kWhole) profile[cell] = profile_mean(cell);
     }
   for (int pass = 1; pass <= kPasses; ++pass) sharpen(held, profile, spread, pass * kTap);
 }
 
-/// M, from 4 x 4 points.
+/// M, from 4 x 4 points: along the rows first, then down.
 float FilmSpline::profile_mean(std::size_t cell) const {
-  constexpr std::array<float, 4> kAt = {-0.375f, -0.125f, 0.125f, 0.375f};
+  std::array<std::array<float, kPoints.size()>, 2 * kTap + 1> along{};
+  for (int j = -kTap; j <= kTap; ++j) {
+    const float* row = fill_.data() + static_cast<std::ptrdiff_t>(cell) + j * width_;
+    std::array<float, kPoints.size()>& sums = along[static_cast<std::size_t>(j + kTap)];
+    for (std::size_t p = 0; p < kPoints.size(); ++p)
+      for (int i = 0; i < 4; ++i)
+        sums[p] += kPoints[p].weight[static_cast<std::size_t>(i)] * row[kPoints[p].first + i];
+  }
   float sum = 0;
-  for (const float down : kAt) {
-    const std::array<float, 5> wy = weights_within(down);
-    for (const float across : kAt) {
-      const std::array<float, 5> wx = weights_within(across);
+  for (const Point& down : kPoints) {
+    for (std::size_t p = 0; p < kPoints.size(); ++p) {
       float wet = 0;
-      for (int j = -kTap; j <= kTap; ++j) {
-        const float* row = fill_.data() + static_cast<std::ptrdiff_t>(cell) + j * width_ - kTap;
-        float along = 0;
-        for (std::size_t i = 0; i < wx.size(); ++i) along += wx[i] * row[i];
-        wet += wy[static_cast<std::size_t>(j + kTap)] * along;
-      }
+      for (std::size_t j = 0; j < 4; ++j)
+        wet += down.weight[j] * along[static_cast<std::size_t>(down.first + kTap) + j][p];
       sum += edge_profile(wet);
     }
   }

@@ -55,11 +55,13 @@ void TileNeighbourhood::smooth(int factor, float* out, std::ptrdiff_t stride) co
   std::vector<float> stretched(static_cast<std::size_t>(cells) * static_cast<std::size_t>(height_));
   for (int y = 0; y < height_; ++y) {
     float* to = stretched.data() + static_cast<std::ptrdiff_t>(y) * cells;
-    for (int x = 0; x < cells; ++x) {
-      const Phase& p = phase[static_cast<std::size_t>(x % factor)];
-      const float* v = value_.data() + y * width_ + x / factor + kMargin + p.first;
-      to[x] = p.weight[0] * v[0] + p.weight[1] * v[1] + p.weight[2] * v[2] + p.weight[3] * v[3];
-    }
+    const float* v = value_.data() + y * width_ + kMargin;
+    for (int x = 0; x < box_.width(); ++x, ++v)
+      for (const Phase& p : phase) {
+        const float* near = v + p.first;
+        *to++ = p.weight[0] * near[0] + p.weight[1] * near[1] + p.weight[2] * near[2] +
+                p.weight[3] * near[3];
+      }
   }
   for (int y = 0; y < box_.height() * factor; ++y) {
     const Phase& p = phase[static_cast<std::size_t>(y % factor)];

@@ -11,7 +11,7 @@ namespace pentimento {
 
 /// Weights that the cubic B-spline gives four cells in a row at a point `t` cells behind the centre
 /// of the second, 0 <= t <= 1.
-inline std::array<float, 4> spline_weights(float t) {
+constexpr std::array<float, 4> spline_weights(float t) {
   const float r = 1 - t;
   return {r * r * r / 6, (4 - 6 * t * t + 3 * t * t * t) / 6, (4 - 6 * r * r + 3 * r * r * r) / 6,
           t * t * t / 6};

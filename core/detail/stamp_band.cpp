@@ -149,26 +149,41 @@ StampBand::Cells StampBand::measure(const QueuedStamp& stamp, int y) {
 
 /// The paint that comes to each cell, as `part_` of `paint_`, and its depth. False if none comes.
 bool StampBand::sample(const QueuedStamp& stamp, int y, const Cells& cells, float* depth) {
-  const StampPlan& plan = stamp.plan();
-  const DetailLayout& layout = canvas_.layout();
-  const GuideBox& blocks = stamp.blocks();
-  const std::span<const BlockLayers> layers = stamp.layers_in(y / layout.factor());
-  const TipRow tip = tip_row(plan.pose, stamp.cells(), fine_, y);
-  const int from_box = x0_ - stamp.cells().x + cells.begin;
-  paint_.resize(at(layout.side()) * at(plan.stride));
-  float* paint = paint_.data();
+  const int k = canvas_.layout().factor();
+  const std::span<const BlockLayers> layers = stamp.layers_in(y / k);
+  paint_.resize(at(canvas_.layout().side()) * at(stamp.plan().stride));
+  std::fill_n(part_.begin(), cells.count(), 0.0f);
   bool any = false;
-  for (std::size_t i = 0; i < cells.count(); ++i, paint += plan.stride) {
-    const int n = static_cast<int>(i), x = x0_ + cells.begin + n;
-    const float share = share_[i];
-    part_[i] = 0;
-    if (!(share > 0) || layers[at(x / layout.factor() - blocks.x0)].target < 0) continue;
-    open_cell(*tile_, layout, row(y, 0), x, y, cells.begin + n);
-    plan.reservoir->sample(tip.u(from_box + n), tip.v(from_box + n), paint);
-    float part = stamp_laid(plan, paint, value_[i], share).part;
-    const float room_m = std::max(0.0f, plan.lay.max_depth_m - depth[n]);
+  for (int x = cells.begin; x < cells.end;) {
+    const int block = (x0_ + x) / k, end = std::min(cells.end, (block + 1) * k - x0_);
+    if (layers[at(block - stamp.blocks().x0)].target >= 0)
+      any |= sample_cells(stamp, y, {x, end}, cells.begin, depth);
+    x = end;
+  }
+  return any;
+}
+
+/// Those of one block. `first`: the cell that the rows of values and `depth` begin with.
+bool StampBand::sample_cells(const QueuedStamp& stamp, int y, const Cells& cells, int first,
+                             float* depth) {
+  const StampPlan& plan = stamp.plan();
+  const int side = canvas_.layout().side(), from_box = x0_ - stamp.cells().x;
+  const TipRow tip = tip_row(plan.pose, stamp.cells(), fine_, y);
+  const LayerRow whole = row(y, 0);
+  const std::uint8_t* opened =
+      tile_->open.empty() ? nullptr : tile_->open.opened.data() + at(y % side) * at(side);
+  bool any = false;
+  for (int x = cells.begin; x < cells.end; ++x) {
+    const std::size_t i = at(x - first);
+    if (!(share_[i] > 0)) continue;
+    if (opened != nullptr && opened[x] == 0)
+      open_cell(*tile_, canvas_.layout(), whole, x0_ + x, y, x);
+    float* paint = paint_.data() + i * at(plan.stride);
+    plan.reservoir->sample(tip.u(from_box + x), tip.v(from_box + x), paint);
+    float part = stamp_laid(plan, paint, value_[i], share_[i]).part;
+    const float room_m = std::max(0.0f, plan.lay.max_depth_m - depth[i]);
     if (paint[0] * part > room_m) part = room_m / paint[0];
-    depth[n] += part * paint[0];
+    depth[i] += part * paint[0];
     part_[i] = part;
     any = true;
   }

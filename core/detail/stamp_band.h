@@ -37,6 +37,7 @@ class StampBand {
   void open_blocks(const QueuedStamp& stamp, int block_y);
   void lay(const QueuedStamp& stamp, int y, const Cells& touched);
   bool sample(const QueuedStamp& stamp, int y, const Cells& cells, float* depth);
+  bool sample_cells(const QueuedStamp& stamp, int y, const Cells& cells, int first, float* depth);
 
   DetailCanvas& canvas_;
   CanvasGeometry fine_;
