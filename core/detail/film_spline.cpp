@@ -50,17 +50,9 @@ std::vector<float> spline_means(const std::vector<float>& value, int width, int 
   return blur(blur(value, 1, kTap, 0), width, 0, kTap);
 }
 
-/// Four points of a cell along an axis: the first of the four cells around each, and their weights.
-struct Point {
-  int first;
-  std::array<float, 4> weight;
-};
-constexpr Point point_at(float from_centre) {
-  if (from_centre < 0) return {-2, spline_weights(from_centre + 1)};
-  return {-1, spline_weights(from_centre)};
-}
-constexpr std::array<Point, 4> kPoints = {point_at(-0.375f), point_at(-0.125f), point_at(0.125f),
-                                          point_at(0.375f)};
+/// Along an axis of a cell.
+constexpr std::array<SplineTaps, 4> kPoints = {spline_taps(-0.375f), spline_taps(-0.125f),
+                                               spline_taps(0.125f), spline_taps(0.375f)};
 }  // namespace
 
 FilmSpline::FilmSpline(const Field<float>& plane, const GuideBox& box)
@@ -100,7 +92,7 @@ float FilmSpline::profile_mean(std::size_t cell) const {
         sums[p] += kPoints[p].weight[static_cast<std::size_t>(i)] * row[kPoints[p].first + i];
   }
   float sum = 0;
-  for (const Point& down : kPoints) {
+  for (const SplineTaps& down : kPoints) {
     for (std::size_t p = 0; p < kPoints.size(); ++p) {
       float wet = 0;
       for (std::size_t j = 0; j < 4; ++j)

@@ -8,22 +8,13 @@
 namespace pentimento {
 
 namespace {
-using Taps = std::array<float, 4>;
-
-/// Weights of the four cells around a fine centre, the first of them `first` cells from its own.
-struct Phase {
-  int first = -1;
-  Taps weight{};
-};
-
-Phase phase_of(int within, int factor) {
-  const float at = (static_cast<float>(within) + 0.5f) / static_cast<float>(factor) - 0.5f;
-  if (at < 0) return {-2, spline_weights(at + 1)};
-  return {-1, spline_weights(at)};
+/// Of fine cell `within` of the `factor` in a row of a block.
+SplineTaps taps_of(int within, int factor) {
+  return spline_taps((static_cast<float>(within) + 0.5f) / static_cast<float>(factor) - 0.5f);
 }
 
 PENTIMENTO_KERNEL
-void combine_rows(const std::array<const float*, 4>& row, const Taps& w, int n,
+void combine_rows(const std::array<const float*, 4>& row, const std::array<float, 4>& w, int n,
                   float* __restrict out) {
   const float *a = row[0], *b = row[1], *c = row[2], *d = row[3];
   for (int i = 0; i < n; ++i) out[i] = w[0] * a[i] + w[1] * b[i] + w[2] * c[i] + w[3] * d[i];
@@ -50,21 +41,21 @@ void TileNeighbourhood::fill(const std::function<float(int, int)>& value_at) {
 
 void TileNeighbourhood::smooth(int factor, float* out, std::ptrdiff_t stride) const {
   const int cells = box_.width() * factor;
-  std::vector<Phase> phase;
-  for (int i = 0; i < factor; ++i) phase.push_back(phase_of(i, factor));
+  std::vector<SplineTaps> phase;
+  for (int i = 0; i < factor; ++i) phase.push_back(taps_of(i, factor));
   std::vector<float> stretched(static_cast<std::size_t>(cells) * static_cast<std::size_t>(height_));
   for (int y = 0; y < height_; ++y) {
     float* to = stretched.data() + static_cast<std::ptrdiff_t>(y) * cells;
     const float* v = value_.data() + y * width_ + kMargin;
     for (int x = 0; x < box_.width(); ++x, ++v)
-      for (const Phase& p : phase) {
+      for (const SplineTaps& p : phase) {
         const float* near = v + p.first;
         *to++ = p.weight[0] * near[0] + p.weight[1] * near[1] + p.weight[2] * near[2] +
                 p.weight[3] * near[3];
       }
   }
   for (int y = 0; y < box_.height() * factor; ++y) {
-    const Phase& p = phase[static_cast<std::size_t>(y % factor)];
+    const SplineTaps& p = phase[static_cast<std::size_t>(y % factor)];
     const float* first =
         stretched.data() + static_cast<std::ptrdiff_t>(y / factor + kMargin + p.first) * cells;
     combine_rows({first, first + cells, first + 2 * cells, first + 3 * cells}, p.weight, cells,

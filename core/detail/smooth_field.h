@@ -17,6 +17,18 @@ constexpr std::array<float, 4> spline_weights(float t) {
           t * t * t / 6};
 }
 
+/// Which four cells in a row a point leans on: the first, counted from its own cell, and weights.
+struct SplineTaps {
+  int first;
+  std::array<float, 4> weight;
+};
+
+/// Of a point `from_centre` cells behind the centre of its cell, |from_centre| <= 1/2.
+constexpr SplineTaps spline_taps(float from_centre) {
+  if (from_centre < 0) return {-2, spline_weights(from_centre + 1)};
+  return {-1, spline_weights(from_centre)};
+}
+
 /// Values of guide cells in and around a tile, two cells more on each side, which the surface is
 /// made from.
 class TileNeighbourhood {
