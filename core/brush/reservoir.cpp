@@ -2,11 +2,59 @@
 
 #include <algorithm>
 
+#include "core/fluid/conservative/kernel.h"
+
 namespace pentimento {
 
 namespace {
 constexpr int kPadding = 4;       // floats: a texel is whole vectors
 constexpr float kTrace = 1e-20f;  // less is nothing: subnormal numbers are slow
+constexpr int kCells = 64;        // of a row, sampled together
+
+/// The first of the four texels around each cell, and what each of the four counts.
+struct CellTexels {
+  std::array<int, kCells> texel;
+  std::array<std::array<float, kCells>, 4> weight;
+};
+
+PENTIMENTO_KERNEL
+void find_texels(const TipRow& given, int first, int n, CellTexels& out) {
+  const TipRow tip = given;  // nobody else's: what is stored below does not change it
+  int* __restrict texel = out.texel.data();
+  float* __restrict a = out.weight[0].data();
+  float* __restrict b = out.weight[1].data();
+  float* __restrict c = out.weight[2].data();
+  float* __restrict d = out.weight[3].data();
+  for (int cell = 0; cell < n; ++cell) {
+    const float u = tip.u0 + tip.du * static_cast<float>(first + cell);
+    const float v = tip.v0 + tip.dv * static_cast<float>(first + cell);
+    const float x =
+        std::clamp((u + 0.5f) * kReservoirColumns - 0.5f, 0.0f, kReservoirColumns - 1.0f);
+    const float y = std::clamp((v + 0.5f) * kReservoirRows - 0.5f, 0.0f, kReservoirRows - 1.0f);
+    const int i = std::min(static_cast<int>(x), kReservoirColumns - 2);
+    const int j = std::min(static_cast<int>(y), kReservoirRows - 2);
+    const float fx = x - static_cast<float>(i), fy = y - static_cast<float>(j);
+    texel[cell] = j * kReservoirColumns + i;
+    a[cell] = (1 - fx) * (1 - fy);
+    b[cell] = fx * (1 - fy);
+    c[cell] = (1 - fx) * fy;
+    d[cell] = fx * fy;
+  }
+}
+
+/// `kStride`: floats per texel, or 0: `given_stride` are.
+template <int kStride>
+inline void blend_cells(const float* data, int given_stride, const CellTexels& at, int n,
+                        float* out) {
+  const int stride = kStride > 0 ? kStride : given_stride;
+  for (int cell = 0; cell < n; ++cell, out += stride) {
+    const std::size_t i = static_cast<std::size_t>(cell);
+    const float* a = data + static_cast<std::ptrdiff_t>(at.texel[i]) * stride;
+    const float* c = a + static_cast<std::ptrdiff_t>(kReservoirColumns) * stride;
+    blend_texels(a, a + stride, c, c + stride,
+                 {at.weight[0][i], at.weight[1][i], at.weight[2][i], at.weight[3][i]}, stride, out);
+  }
+}
 }  // namespace
 
 Reservoir::Reservoir(int channels)
@@ -43,6 +91,20 @@ void Reservoir::sample(float u, float v, float* out) const {
   const float* c = a + static_cast<std::ptrdiff_t>(kReservoirColumns) * stride_;
   blend_texels(a, a + stride_, c, c + stride_,
                {(1 - fx) * (1 - fy), fx * (1 - fy), (1 - fx) * fy, fx * fy}, stride_, out);
+}
+
+void Reservoir::sample_row(const TipRow& tip, int first, int n, float* out) const {
+  CellTexels at;
+  for (int done = 0; done < n; done += kCells) {
+    const int cells = std::min(kCells, n - done);
+    find_texels(tip, first + done, cells, at);
+    float* to = out + static_cast<std::ptrdiff_t>(done) * stride_;
+    if (stride_ == 4) {
+      blend_cells<4>(data_.data(), stride_, at, cells, to);
+    } else {
+      blend_cells<0>(data_.data(), stride_, at, cells, to);
+    }
+  }
 }
 
 void Reservoir::refill(const PaintLoad& load, const Tip& tip, float refill_frac) {

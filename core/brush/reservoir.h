@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "core/brush/footprint.h"
 #include "core/brush/paint_load.h"
 #include "core/brush/tip.h"
 
@@ -42,6 +43,9 @@ class Reservoir {
   }
   /// Bilinear paint at (u, v) in tip coordinates, clamped at the edge; `out` has stride() floats.
   void sample(float u, float v, float* out) const;
+  /// The same, to the bit, at the cells [first, first + n) of a row: `out` has n times stride()
+  /// floats.
+  void sample_row(const TipRow& tip, int first, int n, float* out) const;
 
   /// R22: each of the tip's texels goes the share `refill_frac` of the way to the load's paint, at
   /// its own content if that is larger (the palette takes and gives alike). Measures the surplus.

@@ -103,13 +103,14 @@ struct LaidContent {
   float part = 0;      // of the sampled paint
   float returned = 0;  // of the surplus
 };
-/// The film of the palette's paint and the share of what the brush holds beyond its load. `paint`:
-/// the reservoir's sample at the cell; `value`: the tip's; `share`: levelled and scaled, > 0.
-inline LaidContent stamp_laid(const StampPlan& plan, const float* paint, float value, float share) {
-  const float content = plan.load->content_of(paint);
-  const float surplus = std::max(0.0f, content - plan.load->content_m);
+/// The film of the palette's paint and the share of what the brush holds beyond its load, whose
+/// content is `load_m`. `content`: of the reservoir's sample at the cell; `value`: the tip's;
+/// `share`: levelled and scaled, > 0.
+inline LaidContent stamp_laid(const StampPlan& plan, float load_m, float content, float value,
+                              float share) {
+  const float surplus = std::max(0.0f, content - load_m);
   const float back = plan.return_frac * share * surplus / std::max(value, plan.mean);
-  const float film = plan.film_rate * share * std::min(content, plan.load->content_m);
+  const float film = plan.film_rate * share * std::min(content, load_m);
   return {content > 0 ? (film + back) / content : 0.0f, back};
 }
 

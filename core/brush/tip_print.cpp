@@ -58,6 +58,23 @@ std::vector<float> box_weights(float width) {
   return weight;
 }
 
+/// Cuts [begin, end) to about where |at + step i| < half; keeps a few cells more, against rounding.
+void cut_to(float at, float step, float half, TipPrint::Reach& cells) {
+  if (step < 0) {
+    at = -at;
+    step = -step;
+  }
+  const float length = static_cast<float>(cells.end);
+  if (step * length < 1e-3f) {  // a row along the tip's other axis
+    if (std::abs(at) > half) cells.end = cells.begin;
+    return;
+  }
+  const float begin = std::clamp((-half - at) / step - 2, -1.0f, length);
+  const float end = std::clamp((half - at) / step + 3, 0.0f, length);
+  cells.begin = std::max(cells.begin, static_cast<int>(begin));
+  cells.end = std::min(cells.end, static_cast<int>(end));
+}
+
 /// Positions of a row of cells in the map, in texels.
 struct MapRow {
   float x0, y0, dx, dy;
@@ -139,6 +156,14 @@ void TipPrint::average(float texels) {
                        map_.row(y));
 }
 
+/// `u_texels`: how far the map goes beyond the tip's own cover.
+void TipPrint::find_halves(const TipExtent& extent, float u_texels, float v_texels) {
+  constexpr float kAround = 2.5f;  // half a texel of the tip's, a bilinear step or two, rounding
+  const float half = 0.5f * static_cast<float>(size_);
+  half_u_ = half * extent.u + u_texels + kAround;
+  half_v_ = half * extent.v + v_texels + kAround;
+}
+
 void TipPrint::draw_cells(const StampPlan& plan, float cell_m) {
   const TipLevel level = stamp_tip_level(plan, cell_m / kTexelsPerCell);
   size_ = level.low->size();
@@ -148,6 +173,7 @@ void TipPrint::draw_cells(const StampPlan& plan, float cell_m) {
   width_ = size_ + 2 * margin_;
   make_room(still_, width_);
   make_room(map_, width_);
+  find_halves(plan.extent, box, box);
   blend(level);
   if (box > 0) {
     average(box);
@@ -171,6 +197,7 @@ void TipPrint::draw_swept(const StampPlan& plan, float cell_m) {
   margin_ = kRim + 2 + static_cast<int>(reach);
   width_ = size_ + 2 * margin_;
   make_room(still_, width_);
+  find_halves(plan.extent, std::abs(first * du), std::abs(first * dv));
   blend(level);
   if (prints == 1) {
     std::swap(still_, map_);
@@ -181,6 +208,15 @@ void TipPrint::draw_swept(const StampPlan& plan, float cell_m) {
     const float at = first + static_cast<float>(i);
     add_print(at * du, at * dv, 1 / static_cast<float>(prints));
   }
+}
+
+TipPrint::Reach TipPrint::reach(const TipRow& tip, int first, int last) const {
+  const float size = static_cast<float>(size_);
+  Reach cells{first, last};
+  cut_to(tip.u0 * size, tip.du * size, half_u_, cells);
+  cut_to(tip.v0 * size, tip.dv * size, half_v_, cells);
+  cells.end = std::max(cells.begin, cells.end);
+  return cells;
 }
 
 void TipPrint::row(const TipRow& tip, int first, std::span<float> out) const {

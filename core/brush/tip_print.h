@@ -29,18 +29,26 @@ class TipPrint {
   /// Source: ours. Departs from it: a second bilinear step when the map is read, within a texel.
   void draw_swept(const StampPlan& plan, float cell_m);
 
+  /// The cells [begin, end) of [first, last) of a row beyond which all values are 0.
+  struct Reach {
+    int begin = 0, end = 0;
+  };
+  Reach reach(const TipRow& tip, int first, int last) const;
+
   /// Values in [0,1] at the cells [first, first + out.size()) of a row; 0 where too faint to touch.
   void row(const TipRow& tip, int first, std::span<float> out) const;
 
  private:
   void blend(const TipLevel& level);
+  void find_halves(const TipExtent& extent, float u_texels, float v_texels);
   void average(float texels);
   void add_print(float u_texels, float v_texels, float weight);
 
-  int size_ = 0;        // of the tip's map
-  int width_ = 0;       // of what is in use of the maps, with margins
-  int margin_ = 0;      // texels around it, the outermost two zero
-  Field<float> still_;  // the tip unmoved
+  int size_ = 0;                   // of the tip's map
+  int width_ = 0;                  // of what is in use of the maps, with margins
+  int margin_ = 0;                 // texels around it, the outermost two zero
+  float half_u_ = 0, half_v_ = 0;  // texels from the middle, from which on all is zero
+  Field<float> still_;             // the tip unmoved
   Field<float> map_;
 };
 

@@ -46,6 +46,32 @@ void measure_blade(const StampPlan& given, const HairTable& ends, const TipRow& 
   }
 }
 
+/// What find_parts() starts from: of the tip, and of the brush's paint.
+struct BrushedRow {
+  const float *value, *share, *content, *height;
+};
+
+/// The part of the brush's paint that comes to each cell, as far as there is room; adds its depth.
+/// False if the tip lays nothing.
+PENTIMENTO_KERNEL
+bool find_parts(const StampPlan& given, float load_m, int n, const BrushedRow& brushed,
+                float* __restrict depth, float* __restrict out) {
+  const StampPlan plan = given;
+  const float *value = brushed.value, *share = brushed.share;
+  const float *content = brushed.content, *height = brushed.height;
+  bool any = false;
+  for (int i = 0; i < n; ++i) {
+    const float wanted = stamp_laid(plan, load_m, content[i], value[i], share[i]).part;
+    const float room_m = std::max(0.0f, plan.lay.max_depth_m - depth[i]);
+    const float part = height[i] * wanted > room_m ? room_m / height[i] : wanted;
+    const float laid = share[i] > 0 ? part : 0.0f;
+    depth[i] += laid * height[i];
+    out[i] = laid;
+    any |= share[i] > 0;
+  }
+  return any;
+}
+
 /// plane += part * paint of one component, `stride` floats from cell to cell.
 PENTIMENTO_KERNEL
 void add_paint(const float* part, const float* paint, int stride, int n, float* __restrict plane) {
@@ -55,7 +81,7 @@ void add_paint(const float* part, const float* paint, int stride, int n, float* 
 
 StampBand::StampBand(DetailCanvas& canvas, std::span<const float> amount)
     : canvas_(canvas), fine_(canvas.layout().fine()), all_amounts_(amount.begin(), amount.end()) {
-  for (std::vector<float>* v : {&value_, &share_, &touch_, &grasp_, &part_})
+  for (std::vector<float>* v : {&value_, &share_, &touch_, &grasp_, &part_, &content_, &height_})
     v->resize(at(canvas.layout().side()));
 }
 
@@ -126,6 +152,10 @@ StampBand::Cells StampBand::measure(const QueuedStamp& stamp, int y) {
   if (touched.empty()) return touched;
   const TipRow tip = tip_row(stamp.plan().pose, box, fine_, y);
   const int from_box = x0_ - box.x;
+  const TipPrint::Reach reach =
+      stamp.tip().reach(tip, from_box + touched.begin, from_box + touched.end);
+  touched = {reach.begin - from_box, reach.end - from_box};
+  if (touched.empty()) return touched;
   stamp.tip().row(tip, from_box + touched.begin, {value_.data(), touched.count()});
   const float* value = value_.data();
   std::size_t skipped = 0, count = touched.count();
@@ -151,43 +181,53 @@ StampBand::Cells StampBand::measure(const QueuedStamp& stamp, int y) {
 bool StampBand::sample(const QueuedStamp& stamp, int y, const Cells& cells, float* depth) {
   const int k = canvas_.layout().factor();
   const std::span<const BlockLayers> layers = stamp.layers_in(y / k);
+  const auto is_laid_in = [&](int x) {
+    return layers[at((x0_ + x) / k - stamp.blocks().x0)].target >= 0;
+  };
+  const auto next_block = [&](int x) { return std::min(cells.end, ((x0_ + x) / k + 1) * k - x0_); };
   paint_.resize(at(canvas_.layout().side()) * at(stamp.plan().stride));
   std::fill_n(part_.begin(), cells.count(), 0.0f);
   bool any = false;
   for (int x = cells.begin; x < cells.end;) {
-    const int block = (x0_ + x) / k, end = std::min(cells.end, (block + 1) * k - x0_);
-    if (layers[at(block - stamp.blocks().x0)].target >= 0)
-      any |= sample_cells(stamp, y, {x, end}, cells.begin, depth);
+    int end = next_block(x);
+    if (is_laid_in(x)) {
+      while (end < cells.end && is_laid_in(end)) end = next_block(end);
+      any |= sample_run(stamp, y, {x, end}, cells.begin, depth + (x - cells.begin));
+    }
     x = end;
   }
   return any;
 }
 
-/// Those of one block. `first`: the cell that the rows of values and `depth` begin with.
-bool StampBand::sample_cells(const QueuedStamp& stamp, int y, const Cells& cells, int first,
-                             float* depth) {
+/// Those that lie in blocks in a row. `first`: the cell that the band's rows begin with.
+bool StampBand::sample_run(const QueuedStamp& stamp, int y, const Cells& run, int first,
+                           float* depth) {
   const StampPlan& plan = stamp.plan();
-  const int side = canvas_.layout().side(), from_box = x0_ - stamp.cells().x;
   const TipRow tip = tip_row(plan.pose, stamp.cells(), fine_, y);
-  const LayerRow whole = row(y, 0);
-  const std::uint8_t* opened =
-      tile_->open.empty() ? nullptr : tile_->open.opened.data() + at(y % side) * at(side);
-  bool any = false;
-  for (int x = cells.begin; x < cells.end; ++x) {
-    const std::size_t i = at(x - first);
-    if (!(share_[i] > 0)) continue;
-    if (opened != nullptr && opened[x] == 0)
-      open_cell(*tile_, canvas_.layout(), whole, x0_ + x, y, x);
-    float* paint = paint_.data() + i * at(plan.stride);
-    plan.reservoir->sample(tip.u(from_box + x), tip.v(from_box + x), paint);
-    float part = stamp_laid(plan, paint, value_[i], share_[i]).part;
-    const float room_m = std::max(0.0f, plan.lay.max_depth_m - depth[i]);
-    if (paint[0] * part > room_m) part = room_m / paint[0];
-    depth[i] += part * paint[0];
-    part_[i] = part;
-    any = true;
+  open_cells(y, run, first);
+  const std::size_t from = at(run.begin - first);
+  float* paint = paint_.data() + from * at(plan.stride);
+  plan.reservoir->sample_row(tip, x0_ - stamp.cells().x + run.begin, static_cast<int>(run.count()),
+                             paint);
+  for (std::size_t i = from; i < from + run.count(); ++i, paint += plan.stride) {
+    content_[i] = plan.load->content_of(paint);
+    height_[i] = *paint;
   }
-  return any;
+  return find_parts(plan, plan.load->content_m, static_cast<int>(run.count()),
+                    {&value_[from], &share_[from], &content_[from], &height_[from]}, depth,
+                    &part_[from]);
+}
+
+/// Cells that the stamp lays paint in get the layers that the guide opened. `first`: the cell that
+/// the row of shares begins with.
+void StampBand::open_cells(int y, const Cells& cells, int first) {
+  if (tile_->open.empty()) return;
+  const std::size_t side = at(canvas_.layout().side());
+  const LayerRow whole = row(y, 0);
+  const std::uint8_t* opened = tile_->open.opened.data() + at(y) % side * side;
+  for (int x = cells.begin; x < cells.end; ++x)
+    if (opened[x] == 0 && share_[at(x - first)] > 0)
+      open_cell(*tile_, canvas_.layout(), whole, x0_ + x, y, x);
 }
 
 void StampBand::lay(const QueuedStamp& stamp, int y, const Cells& touched) {

@@ -37,7 +37,8 @@ class StampBand {
   void open_blocks(const QueuedStamp& stamp, int block_y);
   void lay(const QueuedStamp& stamp, int y, const Cells& touched);
   bool sample(const QueuedStamp& stamp, int y, const Cells& cells, float* depth);
-  bool sample_cells(const QueuedStamp& stamp, int y, const Cells& cells, int first, float* depth);
+  bool sample_run(const QueuedStamp& stamp, int y, const Cells& run, int first, float* depth);
+  void open_cells(int y, const Cells& cells, int first);
 
   DetailCanvas& canvas_;
   CanvasGeometry fine_;
@@ -49,7 +50,8 @@ class StampBand {
   std::vector<float*> planes_;                  // [layer * channels + i]
   // Per cell of a row of the tile.
   std::vector<float> value_, share_, touch_, grasp_, part_;
-  std::vector<float> paint_;  // stride floats per cell
+  std::vector<float> content_, height_;  // of the brush's paint there
+  std::vector<float> paint_;             // stride floats per cell
 };
 
 }  // namespace pentimento

@@ -87,6 +87,26 @@ TEST(Reservoir, SamplesBetweenTexels) {
   EXPECT_NEAR(out[0], 2, 1e-5);
 }
 
+// A row that begins and ends beyond the tip; texels of one vector and of two.
+TEST(Reservoir, SamplesARowAsEachOfItsCells) {
+  for (const int channels : {3, 6}) {
+    Reservoir reservoir(channels);
+    for (int texel = 0; texel < kReservoirTexels; ++texel)
+      for (int i = 0; i <= channels; ++i)
+        reservoir.dirty_texel(texel)[i] = static_cast<float>((texel * 37 + i * 11) % 101) / 101;
+    const TipRow row{-0.7f, 0.6f, 0.0091f, -0.0083f};
+    constexpr int kFirst = 3, kCells = 150;
+    const std::size_t stride = static_cast<std::size_t>(reservoir.stride());
+    std::vector<float> together(kCells * stride), alone(stride);
+    reservoir.sample_row(row, kFirst, kCells, together.data());
+    for (int x = 0; x < kCells; ++x) {
+      reservoir.sample(row.u(kFirst + x), row.v(kFirst + x), alone.data());
+      for (std::size_t i = 0; i < stride; ++i)
+        ASSERT_EQ(together[static_cast<std::size_t>(x) * stride + i], alone[i]) << x;
+    }
+  }
+}
+
 TEST(Gather, TheBrushGainsPerAreaWhatTheCanvasLost) {
   const BrushDefinition brush = *builtin_brush("round");
   const Tip tip(brush);

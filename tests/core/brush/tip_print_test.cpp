@@ -100,6 +100,23 @@ class TipPrintTest : public ::testing::Test {
             sum.exact / n};
   }
 
+  /// Of 400 x 400 cells: how many a print says it can touch. None beyond those is touched.
+  int cells_in_reach(const TipPrint& print) {
+    int count = 0;
+    std::vector<float> value(400);
+    for (int y = 0; y < 400; ++y) {
+      const TipRow row = tip_row(plan_.pose, {0, 0, 400, 400, true}, {400, 400, 0.04, 0.04}, y);
+      const TipPrint::Reach reach = print.reach(row, 0, 400);
+      print.row(row, 0, value);
+      for (int x = 0; x < 400; ++x) {
+        const bool in_reach = x >= reach.begin && x < reach.end;
+        EXPECT_TRUE(in_reach || value[static_cast<std::size_t>(x)] == 0) << x << ", " << y;
+      }
+      count += reach.end - reach.begin;
+    }
+    return count;
+  }
+
   static constexpr float kCell_m = 1e-4f;
   BrushDefinition brush_;
   Tip tip_;
@@ -122,6 +139,26 @@ TEST_F(TipPrintTest, IsTheTipWhereThereIsNoWay) {
   EXPECT_GT(mean, 0.01);
   // Rounding, but for values at the edge of the faintest, 1e-3, which is left out.
   EXPECT_LT(most, 1.1e-3);
+}
+
+TEST_F(TipPrintTest, TouchesNothingBeyondItsReach) {
+  plan_.extent = tip_.extent();
+  const float turns_rad[] = {0, 0.4f, 0.785398f, 1.570796f, 2.5f};
+  for (const float turn_rad : turns_rad) {
+    for (const float travel_m : {0.0f, 6e-4f}) {
+      stamp_.twist_rad = turn_rad;
+      stamp_.travel_m = travel_m;
+      plan_.stamp = stamp_;
+      plan_.pose = pose_of(stamp_, brush_, kCell_m);
+      TipPrint print;
+      print.draw_swept(plan_, kCell_m);
+      // The tip's rectangle and a few cells all around it, however it is turned.
+      const float cover = plan_.extent.u * plan_.extent.v * 200 * 200;
+      EXPECT_LT(cells_in_reach(print), 1.5f * cover) << turn_rad << ", " << travel_m;
+      print.draw_cells(plan_, kCell_m);
+      cells_in_reach(print);
+    }
+  }
 }
 
 TEST_F(TipPrintTest, IsTheMeanAlongTheWay) {
