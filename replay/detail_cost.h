@@ -10,7 +10,7 @@ namespace pentimento {
 struct DetailCost {
   double wet_cell = 8;      // depth and base, in a tile with wet paint
   double pigment_cell = 4;  // for each layer and channel that the tile has
-  double dried_cell = 12;   // reflectance, once something has dried in the tile
+  double dried_band = 4;    // each band of reflectance, once something has dried in the tile
   double base_cell = 4;     // base, in a tile that is dry
   double bare_tile = 16;    // where there never was paint
 };

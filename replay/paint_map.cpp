@@ -11,6 +11,7 @@ PaintMap::PaintMap(const LogSession& session, const DetailCost& cost)
       cost_(cost),
       layers_(session.model.layers),
       channels_(session.basis.channels()),
+      bands_(session.basis.bands()),
       wet_(cells(), 0),
       dried_(cells(), 0),
       awake_(session.grid) {
@@ -89,7 +90,7 @@ void PaintMap::measure() {
     const double fine = static_cast<double>(layout_.side()) * layout_.side();
     const int planes = layers_ * std::min(std::popcount(wet), channels_);
     bytes += fine * (wet != 0 ? cost_.wet_cell + planes * cost_.pigment_cell : cost_.base_cell);
-    if (dried) bytes += fine * cost_.dried_cell;
+    if (dried) bytes += fine * bands_ * cost_.dried_band;
   }
   survey_.detail_bytes = std::max(survey_.detail_bytes, bytes);
   survey_.tiles = std::max(survey_.tiles, used);

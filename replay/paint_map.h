@@ -47,7 +47,7 @@ class PaintMap {
   CanvasGeometry grid_;
   DetailLayout layout_;
   DetailCost cost_;
-  int layers_, channels_;
+  int layers_, channels_, bands_;
   std::vector<std::uint32_t> wet_;   // channels that the cell has wet
   std::vector<std::uint8_t> dried_;  // something dried here
   AwakeTiles awake_;

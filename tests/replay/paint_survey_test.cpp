@@ -9,13 +9,13 @@ namespace pentimento {
 namespace {
 
 /// A log of `events` on 400 x 300 cells, 1 mm each, of a blue and a red.
-Result<LogSession> session_of(const test::Scratch& scratch, const std::string& events, int detail) {
+Result<LogSession> session_of(const test::Scratch& scratch, const std::string& events, int detail,
+                              const std::string& optics = "rgb") {
   test::spill(scratch.path("a.jsonl"),
               R"({"type":"header","format":"pentimento-log","version":1,"canvas":{"width":0.4,)"
               R"("height":0.3},"grid":{"width":400,"height":300},"palette":[{"name":"blue",)"
-              R"("color":"#1f2f8c"},{"name":"red","color":"#8c2f1f"}]})"
-              "\n" +
-                  events);
+              R"("color":"#1f2f8c"},{"name":"red","color":"#8c2f1f"}],"optics":")" +
+                  optics + "\"}\n" + events);
   RenderJob job;
   job.log = scratch.path("a.jsonl");
   job.detail = detail;
@@ -65,7 +65,24 @@ TEST(PaintSurvey, APigmentMoreTakesItsPlanesAndDryingGivesThemBack) {
   // Dry in between: the second stroke lies on reflectance instead of on the first.
   const std::string dry = line(R"({"t":0.9,"type":"dry"})");
   EXPECT_DOUBLE_EQ(survey(stroke(0, 0.15) + dry + red() + stroke(1, 0.15)).detail_bytes,
-                   cells * (cost.wet_cell + 2 * cost.pigment_cell + cost.dried_cell) + bare);
+                   cells * (cost.wet_cell + 2 * cost.pigment_cell + 3 * cost.dried_band) + bare);
+}
+
+TEST(PaintSurvey, DriedPaintTakesAPlaneForEveryBand) {
+  const test::Scratch scratch;
+  const std::string dry = line(R"({"t":0.9,"type":"dry"})");
+  auto wet = session_of(scratch, stroke(0, 0.15), 8, "spectral");
+  ASSERT_TRUE(wet) << wet.error().message;
+  const int bands = wet->basis.bands();
+  ASSERT_GT(bands, 3);
+  const Result<PaintSurvey> once = survey_paint(*wet, DetailCost());
+  auto dried = session_of(scratch, stroke(0, 0.15) + dry + stroke(1, 0.15), 8, "spectral");
+  ASSERT_TRUE(dried) << dried.error().message;
+  const Result<PaintSurvey> twice = survey_paint(*dried, DetailCost());
+  ASSERT_TRUE(once && twice);
+  const double cells = 21 * 3 * 128 * 128;
+  EXPECT_DOUBLE_EQ(twice->detail_bytes - once->detail_bytes,
+                   cells * bands * DetailCost().dried_band);
 }
 
 TEST(PaintSurvey, ThinPaintMovesLonger) {
