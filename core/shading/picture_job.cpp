@@ -10,8 +10,8 @@
 namespace pentimento {
 namespace {
 
-TileRun crop_run(int first, int count, int whole) {
-  return count == 0 ? TileRun{0, whole} : TileRun{first, count};
+PixelRun crop_run(int first, int count, int whole) {
+  return count == 0 ? PixelRun{0, whole} : PixelRun{first, count};
 }
 
 /// The textures of a tile's part of the canvas, as large as the largest tile needs.
@@ -220,9 +220,9 @@ Result<void> shade_picture(const ShadeTools& tools, const ShadeScene& scene,
   StripBuffer buffer(planes, layout.variant, width, tiles.height);
   std::vector<float> texels(4 * static_cast<std::size_t>(tiles.width) *
                             static_cast<std::size_t>(tiles.height));
-  for (const TileRun& row : tiles.rows) {
+  for (const PixelRun& row : tiles.rows) {
     const AxisWindow y = axis_window(layout.y, row.first, row.count);
-    for (const TileRun& column : tiles.columns) {
+    for (const PixelRun& column : tiles.columns) {
       const CellWindow window =
           textures.upload(axis_window(layout.x, column.first, column.count), y);
       if (horizon) horizon->upload(textures.relief_texels(), window);

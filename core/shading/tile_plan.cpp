@@ -19,8 +19,8 @@ int fitting(const SampleAxis& axis, int wanted, int border) {
   return std::max(count, 1);
 }
 
-std::vector<TileRun> runs(TileRun crop, int side) {
-  std::vector<TileRun> out;
+std::vector<PixelRun> runs(PixelRun crop, int side) {
+  std::vector<PixelRun> out;
   for (int at = 0; at < crop.count; at += side) {
     out.push_back({crop.first + at, std::min(side, crop.count - at)});
   }

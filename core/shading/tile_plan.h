@@ -7,14 +7,14 @@
 
 namespace pentimento {
 
-struct TileRun {
+struct PixelRun {
   int first = 0;  // pixel in the whole picture
   int count = 0;
 };
 
 struct TilePlan {
-  std::vector<TileRun> columns;
-  std::vector<TileRun> rows;
+  std::vector<PixelRun> columns;
+  std::vector<PixelRun> rows;
   int width = 0;  // of the largest tile
   int height = 0;
 };
@@ -22,8 +22,8 @@ struct TilePlan {
 struct TileDemand {
   SampleAxis x;
   SampleAxis y;
-  TileRun crop_x;
-  TileRun crop_y;
+  PixelRun crop_x;
+  PixelRun crop_y;
   int tile = 1024;       // side wanted, pixels
   int input_texels = 1;  // RGBA texels uploaded per cell
   int border = 0;        // cells of relief around the window

@@ -69,7 +69,7 @@ TEST(TilePlan, CoversTheCropOnce) {
   d.crop_x = {150, 700};
   const TilePlan plan = plan_tiles(d);
   int next = 150;
-  for (const TileRun& run : plan.columns) {
+  for (const PixelRun& run : plan.columns) {
     EXPECT_EQ(run.first, next);
     EXPECT_LE(run.count, 300);
     next += run.count;
