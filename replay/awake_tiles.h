@@ -16,6 +16,8 @@ struct MovingPaint {
   double channel_steps = 0;  // each of them once for every channel that its tile has wet
 };
 
+/// Whether the brush lays paint that runs on a tilted canvas.
+bool lays_thin_paint(const BrushSettings& brush);
 /// Steps that paint moves after the last touch of such a brush: thin paint longer.
 std::int64_t settling_steps(const BrushSettings& brush);
 

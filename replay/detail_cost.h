@@ -8,11 +8,9 @@ namespace pentimento {
 
 /// Memory of the finer canvas, bytes.
 struct DetailCost {
-  double wet_cell = 8;      // depth and base, in a tile with wet paint
-  double pigment_cell = 4;  // for each layer and channel that the tile has
-  double dried_band = 4;    // each band of reflectance, once something has dried in the tile
-  double base_cell = 4;     // base, in a tile that is dry
-  double bare_tile = 16;    // where there never was paint
+  std::int64_t cell = 4;     // of a plane: depth, relief, a layer of a channel, a band that dried
+  std::int64_t page = 4096;  // what the system gives of a plane once something is written there
+  std::int64_t bare_tile = 16;  // where there never was paint
 };
 
 /// Processor time, as multiples of what a wet cell of a small canvas takes in a step.

@@ -2,13 +2,16 @@
 // What paint the canvas would have, cell by cell of the guide. For estimates; nothing is simulated.
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/brush/footprint.h"
 #include "core/brush/tip.h"
 #include "core/detail/detail_layout.h"
 #include "replay/awake_tiles.h"
+#include "replay/carried_paint.h"
 #include "replay/detail_cost.h"
+#include "replay/drips.h"
 #include "replay/log_session.h"
 #include "replay/paint_survey.h"
 
@@ -23,17 +26,28 @@ class PaintMap {
   struct Laying {
     const TipPose& pose;
     const Tip& tip;
-    std::uint32_t mask;  // the channels that it has
-    std::int64_t step, settling_steps;
+    const CarriedPaint& paint;
+    std::uint32_t stroke;
+    std::int64_t step;
+    const BrushSettings& brush;
   };
-  /// The tip's cells hold the channels in `mask` from now on; returns what lay there.
-  std::uint32_t lay(const Laying& laying);
-  void dry();
-  void clear();
-  void tilt(double lateral_m_s2, std::int64_t step) { awake_.tilt(lateral_m_s2, step); }
+  /// The tip's cells hold what it lays from now on; returns what lay there.
+  CarriedPaint::Contact lay(const Laying& laying);
+  void dry(std::int64_t step);
+  void clear(std::int64_t step);
+  /// Gravity along the canvas, in the grid's frame.
+  void tilt(double x_m_s2, double y_m_s2, std::int64_t step);
   PaintSurvey finish(std::int64_t end_step);
 
  private:
+  /// What is wet in a cell of the guide.
+  struct WetCell {
+    std::uint32_t mask = 0;    // channels
+    std::uint32_t main = 0;    // of them those that a brush was loaded with
+    std::uint32_t stroke = 0;  // the last one here
+    int layers = 0;            // a stroke on another's opens the next (R26)
+    bool thin = false;         // it runs
+  };
   void begin(const CanvasState& state);
   std::size_t cells() const {
     return static_cast<std::size_t>(grid_.width) * static_cast<std::size_t>(grid_.height);
@@ -42,15 +56,22 @@ class PaintMap {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(grid_.width) +
            static_cast<std::size_t>(x);
   }
+  void lay(WetCell& cell, std::uint32_t mask, std::uint32_t stroke);
+  void account(std::int64_t step);
+  void run_down();
   void measure();
+  std::int64_t tile_bytes(const GuideBox& box) const;
+  std::int64_t written_bytes(std::span<const std::uint32_t> rows, std::uint32_t mask) const;
 
   CanvasGeometry grid_;
   DetailLayout layout_;
   DetailCost cost_;
   int layers_, channels_, bands_;
-  std::vector<std::uint32_t> wet_;   // channels that the cell has wet
+  std::vector<WetCell> wet_;
   std::vector<std::uint8_t> dried_;  // something dried here
   AwakeTiles awake_;
+  TiltedTime tilted_;
+  double step_s_;
   PaintSurvey survey_;
 };
 

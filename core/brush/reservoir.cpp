@@ -17,6 +17,7 @@ struct CellTexels {
   std::array<std::array<float, kCells>, 4> weight;
 };
 
+/// What sample() finds for a cell.
 PENTIMENTO_KERNEL
 void find_texels(const TipRow& given, int first, int n, CellTexels& out) {
   const TipRow tip = given;  // nobody else's: what is stored below does not change it
@@ -26,8 +27,7 @@ void find_texels(const TipRow& given, int first, int n, CellTexels& out) {
   float* __restrict c = out.weight[2].data();
   float* __restrict d = out.weight[3].data();
   for (int cell = 0; cell < n; ++cell) {
-    const float u = tip.u0 + tip.du * static_cast<float>(first + cell);
-    const float v = tip.v0 + tip.dv * static_cast<float>(first + cell);
+    const float u = tip.u(first + cell), v = tip.v(first + cell);
     const float x =
         std::clamp((u + 0.5f) * kReservoirColumns - 0.5f, 0.0f, kReservoirColumns - 1.0f);
     const float y = std::clamp((v + 0.5f) * kReservoirRows - 0.5f, 0.0f, kReservoirRows - 1.0f);

@@ -103,11 +103,11 @@ struct LaidContent {
   float part = 0;      // of the sampled paint
   float returned = 0;  // of the surplus
 };
-/// The film of the palette's paint and the share of what the brush holds beyond its load, whose
-/// content is `load_m`. `content`: of the reservoir's sample at the cell; `value`: the tip's;
+/// The film of the palette's paint and the share of what the brush holds beyond its load.
+/// `content`: PaintLoad::content_of() the reservoir's sample at the cell; `value`: the tip's;
 /// `share`: levelled and scaled, > 0.
-inline LaidContent stamp_laid(const StampPlan& plan, float load_m, float content, float value,
-                              float share) {
+inline LaidContent stamp_laid(const StampPlan& plan, float content, float value, float share) {
+  const float load_m = plan.load->content_m;
   const float surplus = std::max(0.0f, content - load_m);
   const float back = plan.return_frac * share * surplus / std::max(value, plan.mean);
   const float film = plan.film_rate * share * std::min(content, load_m);

@@ -342,8 +342,8 @@ void Transfer::lay_rows(const StampPlan& plan, int begin, int end) {
       }
       const int x = strip.x - plan.box.x + static_cast<int>(i);
       plan.reservoir->sample(tip.u(x), tip.v(x), paint);
-      const LaidContent laid = stamp_laid(plan, plan.load->content_m, plan.load->content_of(paint),
-                                          weight_[strip.at + i], share);
+      const float content = plan.load->content_of(paint);
+      const LaidContent laid = stamp_laid(plan, content, weight_[strip.at + i], share);
       for (int k = 0; k < plan.stride; ++k) paint[k] *= laid.part;
       returned += static_cast<double>(laid.returned);
     }

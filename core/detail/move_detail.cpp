@@ -13,9 +13,9 @@ constexpr int kLinesPerTask = 16;
 
 PENTIMENTO_KERNEL
 bool any_paint(const float* amount, int n) {
-  bool any = false;
-  for (int i = 0; i < n; ++i) any |= amount[i] != 0;
-  return any;
+  int any = 0;  // not a bool, which keeps the loop from being a vector's
+  for (int i = 0; i < n; ++i) any |= amount[i] != 0 ? 1 : 0;
+  return any != 0;
 }
 
 /// Moves single lines of one run; keeps its buffers.

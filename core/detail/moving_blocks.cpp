@@ -13,9 +13,9 @@ constexpr int kLookedAt = 64;  // edges at a time
 
 PENTIMENTO_KERNEL
 bool any_moves(const float* edge, int n) {
-  bool any = false;
-  for (int i = 0; i < n; ++i) any |= edge[i] != 0;
-  return any;
+  int any = 0;  // not a bool, which keeps the loop from being a vector's
+  for (int i = 0; i < n; ++i) any |= edge[i] != 0 ? 1 : 0;
+  return any != 0;
 }
 
 /// Calls body(x0, x1) for pieces of a row that have edges that move, all of them inside.

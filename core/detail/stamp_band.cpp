@@ -54,22 +54,23 @@ struct BrushedRow {
 /// The part of the brush's paint that comes to each cell, as far as there is room; adds its depth.
 /// False if the tip lays nothing.
 PENTIMENTO_KERNEL
-bool find_parts(const StampPlan& given, float load_m, int n, const BrushedRow& brushed,
-                float* __restrict depth, float* __restrict out) {
+bool find_parts(const StampPlan& given, int n, const BrushedRow& brushed, float* __restrict depth,
+                float* __restrict out) {
   const StampPlan plan = given;
   const float *value = brushed.value, *share = brushed.share;
   const float *content = brushed.content, *height = brushed.height;
-  bool any = false;
+  int any = 0;  // not a bool, which keeps the loop from being a vector's
+  PENTIMENTO_INDEPENDENT
   for (int i = 0; i < n; ++i) {
-    const float wanted = stamp_laid(plan, load_m, content[i], value[i], share[i]).part;
+    const float wanted = stamp_laid(plan, content[i], value[i], share[i]).part;
     const float room_m = std::max(0.0f, plan.lay.max_depth_m - depth[i]);
     const float part = height[i] * wanted > room_m ? room_m / height[i] : wanted;
     const float laid = share[i] > 0 ? part : 0.0f;
     depth[i] += laid * height[i];
     out[i] = laid;
-    any |= share[i] > 0;
+    any |= share[i] > 0 ? 1 : 0;
   }
-  return any;
+  return any != 0;
 }
 
 /// plane += part * paint of one component, `stride` floats from cell to cell.
@@ -213,7 +214,7 @@ bool StampBand::sample_run(const QueuedStamp& stamp, int y, const Cells& run, in
     content_[i] = plan.load->content_of(paint);
     height_[i] = *paint;
   }
-  return find_parts(plan, plan.load->content_m, static_cast<int>(run.count()),
+  return find_parts(plan, static_cast<int>(run.count()),
                     {&value_[from], &share_[from], &content_[from], &height_[from]}, depth,
                     &part_[from]);
 }

@@ -18,9 +18,9 @@ void raise_where_held(const float* total, int cells, int layer, int* __restrict 
 
 PENTIMENTO_KERNEL
 bool any_not_zero(const float* plane, int cells) {
-  bool any = false;
-  for (int i = 0; i < cells; ++i) any |= plane[i] != 0;
-  return any;
+  int any = 0;  // not a bool, which keeps the loop from being a vector's
+  for (int i = 0; i < cells; ++i) any |= plane[i] != 0 ? 1 : 0;
+  return any != 0;
 }
 }  // namespace
 

@@ -56,16 +56,41 @@ TEST(PaintSurvey, CountsTheTilesUnderAStroke) {
 }
 
 TEST(PaintSurvey, APigmentMoreTakesItsPlanesAndDryingGivesThemBack) {
-  const double cells = 21 * 3 * 128 * 128, bare = 25 * 19 * 16;
-  const DetailCost cost;
-  const double one = survey(stroke(0, 0.15)).detail_bytes;
-  EXPECT_DOUBLE_EQ(one, cells * (cost.wet_cell + 2 * cost.pigment_cell) + bare);
-  EXPECT_DOUBLE_EQ(survey(stroke(0, 0.15) + red() + stroke(1, 0.15)).detail_bytes,
-                   cells * (cost.wet_cell + 4 * cost.pigment_cell) + bare);
+  const double relief = 21 * 3 * 128 * 128 * 4, bare = 25 * 19 * 16;
+  const double one = survey(stroke(0, 0.15)).detail_bytes - bare;
+  // Depth and blue in one layer, of which the pages are given that the stroke covers: a page is a
+  // row of the guide here, the stroke 30 rows of the tiles' 48, fewer at its round ends.
+  const double plane = (one - relief) / 2;
+  EXPECT_NEAR(plane / relief, 30.0 / 48, 0.03);
+  // A stroke over it opens the second layer, and stirs both.
+  EXPECT_DOUBLE_EQ(survey(stroke(0, 0.15) + red() + stroke(1, 0.15)).detail_bytes - bare,
+                   relief + 5 * plane);
   // Dry in between: the second stroke lies on reflectance instead of on the first.
   const std::string dry = line(R"({"t":0.9,"type":"dry"})");
-  EXPECT_DOUBLE_EQ(survey(stroke(0, 0.15) + dry + red() + stroke(1, 0.15)).detail_bytes,
-                   cells * (cost.wet_cell + 2 * cost.pigment_cell + 3 * cost.dried_band) + bare);
+  EXPECT_DOUBLE_EQ(survey(stroke(0, 0.15) + dry + red() + stroke(1, 0.15)).detail_bytes - bare,
+                   4 * relief + 2 * plane);
+}
+
+TEST(PaintSurvey, ColoursSideBySideAreAllLaid) {
+  const std::string half = line(R"({"t":0,"type":"color","pigment":"red","across":[0.5,1]})");
+  const double relief = 21 * 3 * 128 * 128 * 4, bare = 25 * 19 * 16;
+  const double one = survey(stroke(0, 0.15)).detail_bytes - bare - relief;
+  const double both = survey(half + stroke(0, 0.15)).detail_bytes - bare - relief;
+  // Each lies in half of the rows, and in those where the tip's texels meet.
+  EXPECT_GT(both, 0.97 * one);
+  EXPECT_LT(both, 1.2 * one);
+}
+
+TEST(PaintSurvey, ThinPaintRunsIntoTilesBelow) {
+  const std::string end = line(R"({"t":9,"type":"mark","name":"end"})");
+  const std::string thin = line(R"({"t":0,"type":"slider","name":"pigment","value":0.15})");
+  const std::string tilt = line(R"({"t":1,"type":"gravity","x":0,"y":9.81,"z":0})");
+  EXPECT_EQ(survey(thin + stroke(0, 0.15) + end).tiles, 21 * 3);
+  EXPECT_EQ(survey(stroke(0, 0.15) + tilt + end).tiles, 21 * 3);
+  // The lower edge at y = 165, drips down to 255 mm: in rows of tiles 8 to 15.
+  const std::int64_t ran = survey(thin + stroke(0, 0.15) + tilt + end).tiles;
+  EXPECT_GT(ran, 21 * 4);
+  EXPECT_LT(ran, 21 * 8);
 }
 
 TEST(PaintSurvey, DriedPaintTakesAPlaneForEveryBand) {
@@ -81,8 +106,7 @@ TEST(PaintSurvey, DriedPaintTakesAPlaneForEveryBand) {
   const Result<PaintSurvey> twice = survey_paint(*dried, DetailCost());
   ASSERT_TRUE(once && twice);
   const double cells = 21 * 3 * 128 * 128;
-  EXPECT_DOUBLE_EQ(twice->detail_bytes - once->detail_bytes,
-                   cells * bands * DetailCost().dried_band);
+  EXPECT_DOUBLE_EQ(twice->detail_bytes - once->detail_bytes, cells * bands * 4);
 }
 
 TEST(PaintSurvey, ThinPaintMovesLonger) {

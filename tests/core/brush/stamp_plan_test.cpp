@@ -64,9 +64,8 @@ class SecondCanvas : public test::IdleFollower {
         const float share = stamp_levelled(plan, value, 0, height_m) * plan.share_scale;
         if (!(share > 0)) continue;
         plan.reservoir->sample(tip.u(i), tip.v(i), paint.data());
-        const PaintLoad& load = *plan.load;
-        const float content = load.content_of(paint.data());
-        after(x, y) += stamp_laid(plan, load.content_m, content, value, share).part * paint[0];
+        const float content = plan.load->content_of(paint.data());
+        after(x, y) += stamp_laid(plan, content, value, share).part * paint[0];
       }
     }
   }
