@@ -12,11 +12,12 @@ namespace pentimento {
 
 namespace {
 constexpr std::int64_t kMB = 1'000'000;
-constexpr std::int64_t kProgramme = 75 * kMB;     // code, libraries
-constexpr std::int64_t kSchemePlanes = 24;        // scratch of a scheme and the brush's contact
-constexpr std::int64_t kShader = 60 * kMB;        // Mesa and what it compiles
-constexpr std::int64_t kDumpCache = 64 * kMB;     // chunks being compressed
-constexpr std::int64_t kDumpRead = 256 * kMB;     // of a finer canvas that goes on, at most
+constexpr std::int64_t kProgramme = 75 * kMB;  // code, libraries
+constexpr std::int64_t kSchemePlanes = 24;     // scratch of a scheme and the brush's contact
+constexpr std::int64_t kFollowedCell = 150;    // noted of a cell of the guide for the finer canvas
+constexpr std::int64_t kShader = 60 * kMB;     // Mesa and what it compiles
+constexpr std::int64_t kDumpCache = 64 * kMB;  // chunks being compressed
+constexpr std::int64_t kDumpRead = 256 * kMB;  // of a finer canvas that goes on, at most
 constexpr std::int64_t kLeastDetail = 128 * kMB;  // of a scratch file held: tiles at work
 
 std::int64_t state_bytes(const LogSession& session) {
@@ -69,18 +70,21 @@ Writing writing_needs(const RenderJob& job, const LogSession& session,
   const std::int64_t square = std::int64_t{session.detail} * session.detail;
   const Result<OutputSize> written = written_size(job.picture, session.size);
   const OutputSize size = written ? *written : session.size;
+  std::int64_t dumping = 0, shading = 0;
   for (const PlannedOutput& output : outputs) {
     if (output.kind == OutputKind::kState) {
       // At detail 1 the file is built in memory.
       needs.disk += session.detail > 1 ? state * (square + 1) : state;
-      needs.memory = std::max(needs.memory, session.detail > 1 ? state + kDumpCache : 2 * state);
+      dumping = session.detail > 1 ? state + kDumpCache : 2 * state;
       continue;
     }
     const std::int64_t planes = picture_planes(output.kind, job.picture, session.basis);
     needs.disk +=
         std::int64_t{size.width} * size.height * planes * sample_bytes(output.kind, job.picture);
-    needs.memory = std::max(needs.memory, shading_bytes(session, job.picture, size, planes));
+    shading = std::max(shading, shading_bytes(session, job.picture, size, planes));
   }
+  // One after the other; Mesa stays.
+  needs.memory = std::max(shading, dumping + (shading > 0 && dumping > 0 ? kShader : 0));
   return needs;
 }
 
@@ -104,7 +108,8 @@ std::int64_t guide_bytes(const LogSession& session) {
   const std::int64_t cells = std::int64_t{session.grid.width} * session.grid.height;
   const std::int64_t fine = state_bytes(session) * session.detail * session.detail;
   const std::int64_t read = session.fine_start ? std::min(kDumpRead, fine) : 0;
-  return kProgramme + state_bytes(session) + cells * kSchemePlanes * 4 + read;
+  const std::int64_t notes = session.detail > 1 ? cells * kFollowedCell : 0;
+  return kProgramme + state_bytes(session) + cells * kSchemePlanes * 4 + notes + read;
 }
 
 std::int64_t budget_beside(std::int64_t others, const RenderJob& job) {
