@@ -83,8 +83,9 @@ Writing writing_needs(const RenderJob& job, const LogSession& session,
         std::int64_t{size.width} * size.height * planes * sample_bytes(output.kind, job.picture);
     shading = std::max(shading, shading_bytes(session, job.picture, size, planes));
   }
-  // One after the other; Mesa stays.
-  needs.memory = std::max(shading, dumping + (shading > 0 && dumping > 0 ? kShader : 0));
+  // One after the other. Mesa stays, which matters beside a file in memory.
+  if (session.detail == 1 && shading > 0 && dumping > 0) dumping += kShader;
+  needs.memory = std::max(shading, dumping);
   return needs;
 }
 
