@@ -27,7 +27,7 @@ void PaintMap::begin(const CanvasState& state) {
       WetCell& wet = wet_[at(x, y)];
       for (std::size_t p = 0; p < state.pigment.size(); ++p) {
         const auto c = p % static_cast<std::size_t>(state.channels);
-        if (c >= 32 || !(state.pigment[p](x, y) > 0)) continue;
+        if (c >= CarriedPaint::kChannels || !(state.pigment[p](x, y) > 0)) continue;
         wet.mask |= 1u << c;
         wet.main = wet.mask;
         wet.layers = static_cast<int>(p / static_cast<std::size_t>(state.channels)) + 1;
@@ -144,7 +144,7 @@ std::int64_t PaintMap::tile_bytes(const GuideBox& box) const {
   const std::int64_t plane = cost_.cell * layout_.side() * layout_.side();
   std::int64_t bytes = depth + plane * (1 + (dried ? bands_ : 0));
   for (std::size_t row = 0; row < all.size(); row += height)
-    for (int c = 0; c < std::min(channels_, 32); ++c)
+    for (int c = 0; c < std::min(channels_, CarriedPaint::kChannels); ++c)
       bytes += written_bytes(all.subspan(row, height), 1u << c);
   return bytes;
 }

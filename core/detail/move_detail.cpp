@@ -4,19 +4,12 @@
 
 #include "core/detail/fine_edges.h"
 #include "core/detail/fine_remap.h"
-#include "core/fluid/conservative/kernel.h"
+#include "core/math/any_not_zero.h"
 
 namespace pentimento {
 
 namespace {
 constexpr int kLinesPerTask = 16;
-
-PENTIMENTO_KERNEL
-bool any_paint(const float* amount, int n) {
-  int any = 0;  // not a bool, which keeps the loop from being a vector's
-  for (int i = 0; i < n; ++i) any |= amount[i] != 0 ? 1 : 0;
-  return any != 0;
-}
 
 /// Moves single lines of one run; keeps its buffers.
 class LineMover {
@@ -115,7 +108,7 @@ class LineMover {
       const WetPlane q{layer * canvas_.channels() + c};
       if (!present_[at(1 + q.pigment)]) continue;
       load(q, line);
-      if (!any_paint(value_.data(), static_cast<int>(value_.size()))) continue;
+      if (!any_not_zero(value_.data(), static_cast<int>(value_.size()))) continue;
       if (layer == 0) hold_residue();
       remap_line(sources_, value_, scratch_, out_);
       if (layer == 0)

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/detail/level_detail.h"
-#include "core/fluid/conservative/kernel.h"
+#include "core/math/any_not_zero.h"
 
 namespace pentimento {
 
@@ -11,19 +11,12 @@ namespace {
 constexpr int kAround = kLevelReach;
 constexpr int kLookedAt = 64;  // edges at a time
 
-PENTIMENTO_KERNEL
-bool any_moves(const float* edge, int n) {
-  int any = 0;  // not a bool, which keeps the loop from being a vector's
-  for (int i = 0; i < n; ++i) any |= edge[i] != 0 ? 1 : 0;
-  return any != 0;
-}
-
 /// Calls body(x0, x1) for pieces of a row that have edges that move, all of them inside.
 template <typename Body>
 void for_moving(const float* edge, int x0, int x1, const Body& body) {
   for (int x = x0; x < x1; x += kLookedAt) {
     int first = x, last = std::min(x + kLookedAt, x1);
-    if (!any_moves(edge + first, last - first)) continue;
+    if (!any_not_zero(edge + first, last - first)) continue;
     while (edge[first] == 0) ++first;
     while (edge[last - 1] == 0) --last;
     body(first, last);

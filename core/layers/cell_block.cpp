@@ -15,13 +15,6 @@ void raise_where_held(const float* total, int cells, int layer, int* __restrict 
   for (int i = 0; i < cells; ++i)
     occupied[i] = total[i] > kEmptyLayerAmount ? layer + 1 : occupied[i];
 }
-
-PENTIMENTO_KERNEL
-bool any_not_zero(const float* plane, int cells) {
-  int any = 0;  // not a bool, which keeps the loop from being a vector's
-  for (int i = 0; i < cells; ++i) any |= plane[i] != 0 ? 1 : 0;
-  return any != 0;
-}
 }  // namespace
 
 void BlockTotals::find(const LayerRow& row, int first, int cells) {
@@ -41,10 +34,6 @@ int BlockTotals::find_occupied(int layers, std::array<int, kBlockCells>& occupie
   for (int layer = 0; layer < layers; ++layer)
     raise_where_held(total[static_cast<std::size_t>(layer)].data(), count, layer, occupied.data());
   return *std::max_element(occupied.begin(), occupied.begin() + count);
-}
-
-bool any_paint(const float* plane, int cells) {
-  return any_not_zero(plane, cells);
 }
 
 }  // namespace pentimento

@@ -28,7 +28,4 @@ inline float mobile_share(float total, float residue) {
   return total > residue ? (total - residue) / total : 0.0f;
 }
 
-/// Whether a plane holds anything in a block.
-bool any_paint(const float* plane, int cells);
-
 }  // namespace pentimento

@@ -4,6 +4,7 @@
 
 #include "core/fluid/conservative/kernel.h"
 #include "core/layers/cell_block.h"
+#include "core/math/any_not_zero.h"
 
 namespace pentimento {
 
@@ -74,7 +75,7 @@ void lift_layer(const Lift& lift, const LayerRow& row, const Block& block,
   find_parts(lift, block, totals, occupied, layer, depth_weight.data(), part.data());
   for (int c = 0; c < row.channels; ++c) {
     float* plane = &row.at(layer, c, block.first);
-    if (!any_paint(plane, block.cells)) continue;
+    if (!any_not_zero(plane, block.cells)) continue;
     take(part.data(), block.cells, plane, gone.data());
     record.note(gone, block.cells, block.first, 1 + c);
   }

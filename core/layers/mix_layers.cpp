@@ -4,6 +4,7 @@
 
 #include "core/fluid/conservative/kernel.h"
 #include "core/layers/cell_block.h"
+#include "core/math/any_not_zero.h"
 
 namespace pentimento {
 
@@ -36,7 +37,7 @@ void mix_channel(const LayerRow& row, int channel, int first, int cells, const B
 
 bool any_in_channel(const LayerRow& row, int channel, int first, int cells) {
   for (int layer = 0; layer < row.layers; ++layer)
-    if (any_paint(&row.at(layer, channel, first), cells)) return true;
+    if (any_not_zero(&row.at(layer, channel, first), cells)) return true;
   return false;
 }
 
@@ -68,7 +69,7 @@ void mix_block(const MixLayers& mix, const LayerRow& row, const float* weight, i
   BlockValues mobile;
   std::array<BlockValues, kMaxLayers> exchange;
   find_exchange(mix, totals, occupied, most, weight, cells, mobile.data(), exchange);
-  if (!any_paint(exchange[0].data(), cells)) return;
+  if (!any_not_zero(exchange[0].data(), cells)) return;
   for (int c = 0; c < row.channels; ++c)
     if (any_in_channel(row, c, first, cells))
       mix_channel(row, c, first, cells, mobile, exchange, most);
