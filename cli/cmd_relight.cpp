@@ -44,7 +44,7 @@ Result<void> complete(Options& o) {
   o.job.light = std::move(*light);
   o.job.size = o.picture.size();
   o.job.threads = o.picture.threads;
-  return check_standard_output(o.job.picture.outputs, o.talk.json);
+  return check_outputs(o.job.picture.outputs, o.talk.json);
 }
 }  // namespace
 

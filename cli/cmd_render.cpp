@@ -123,7 +123,8 @@ Result<void> complete(Options& o) {
   job.light = std::move(*light);
   job.size = o.picture.size();
   job.threads = o.picture.threads;
-  return check_standard_output(job.picture.outputs, o.talk.json && !o.dry_run);
+  if (o.dry_run) return {};
+  return check_outputs(job.picture.outputs, o.talk.json);
 }
 
 int run(const Options& o, const Control& control) {

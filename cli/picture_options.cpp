@@ -277,7 +277,9 @@ void TalkOptions::add_to(CLI::App& app) {
   app.add_flag("--json", json, "closing report as JSON on standard output");
 }
 
-Result<void> check_standard_output(const std::vector<std::string>& outputs, bool json) {
+Result<void> check_outputs(const std::vector<std::string>& outputs, bool json) {
+  if (outputs.empty())
+    return Error{ErrorCode::kUsage, "nothing to write: give at least one -o FILE"};
   if (!json || std::find(outputs.begin(), outputs.end(), "-") == outputs.end()) return {};
   return Error{ErrorCode::kUsage, "--json and -o - both want standard output"};
 }

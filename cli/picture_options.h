@@ -47,7 +47,8 @@ struct TalkOptions {
   void add_to(CLI::App& app);
 };
 
-/// Standard output cannot carry a picture and a report. Errors: kUsage.
-Result<void> check_standard_output(const std::vector<std::string>& outputs, bool json);
+/// Something must be written, and standard output cannot carry a picture and a report.
+/// Errors: kUsage.
+Result<void> check_outputs(const std::vector<std::string>& outputs, bool json);
 
 }  // namespace pentimento::cli

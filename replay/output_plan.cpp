@@ -37,7 +37,6 @@ Error usage(std::string message) {
 }
 
 Result<void> check_patterns(const std::vector<std::string>& patterns, std::size_t stops) {
-  if (patterns.empty()) return usage("nothing to write: give at least one -o FILE");
   for (const std::string& pattern : patterns) {
     if (!kind_of(pattern)) {
       return usage("-o " + pattern +

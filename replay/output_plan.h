@@ -19,8 +19,8 @@ struct PlannedOutput {
 };
 
 /// The files of each stop point, in the order of `stops`; of one unnamed point if there is none.
-/// Errors: kUsage (nothing to write, an unknown extension, several points and no `%`, one file
-/// twice).
+/// Without patterns each point has no files: such a job is replayed for its report alone.
+/// Errors: kUsage (an unknown extension, several points and no `%`, one file twice).
 Result<std::vector<std::vector<PlannedOutput>>> plan_outputs(
     const std::vector<std::string>& patterns, const std::vector<StopPoint>& stops);
 

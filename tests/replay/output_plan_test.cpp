@@ -30,11 +30,17 @@ TEST(OutputPlan, APercentSignStandsForTheStop) {
 }
 
 TEST(OutputPlan, WhatCannotBeIsRefused) {
-  EXPECT_FALSE(plan_outputs({}, {}).ok());
   EXPECT_FALSE(plan_outputs({"a.jpg"}, {}).ok());
   EXPECT_FALSE(plan_outputs({"a.png", "./a.png"}, {}).ok());
   EXPECT_FALSE(plan_outputs({"a.png"}, stops({"1", "2"})).ok());
   EXPECT_FALSE(plan_outputs({"%.png"}, stops({"1", "step:1"})).ok());  // both are 1.png
+}
+
+TEST(OutputPlan, WithoutPatternsHasPointsButNoFiles) {
+  const auto plan = plan_outputs({}, stops({"1", "2"}));
+  ASSERT_TRUE(plan.ok());
+  ASSERT_EQ(plan->size(), 2u);
+  EXPECT_TRUE(plan->front().empty() && plan->back().empty());
 }
 
 }  // namespace
