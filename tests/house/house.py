@@ -2,6 +2,7 @@
 
 import pathlib
 import re
+import sys
 
 FOLDERS = ("core", "formats", "replay", "cli", "tests", "samples", "docs")
 SOURCES = ("core", "formats", "replay", "cli")
@@ -77,3 +78,13 @@ def prose(file):
     else:
         return []
     return list(enumerate(text.split("\n"), 1))
+
+
+def main(check, usage):
+    """A gate's command: prints its problems, exits 1 if there are any."""
+    if len(sys.argv) != 2:
+        sys.exit(usage)
+    problems = check(sys.argv[1])
+    for problem in problems:
+        print(problem)
+    sys.exit(1 if problems else 0)

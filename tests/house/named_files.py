@@ -12,7 +12,6 @@ usage: named_files.py REPOSITORY
 import fnmatch
 import pathlib
 import re
-import sys
 
 import house
 
@@ -76,6 +75,4 @@ def check(root):
 
 
 if __name__ == "__main__":
-    found = check(sys.argv[1])
-    print("\n".join(found))
-    sys.exit(1 if found else 0)
+    house.main(check, __doc__)
