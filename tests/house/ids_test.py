@@ -6,7 +6,8 @@ import unittest
 import ids
 import planted
 
-TREE = {"docs/model.md": "| R9 | sweeps |\n| R10, R11 | speed |\n| R36 (path) | stamps |\n| R36 | order |\n| A7 | brackets |\n",
+TREE = {"docs/model.md": "| R9 | sweeps |\n| R10, R11 | speed |\n"
+                         "| R36 (path) | stamps |\n| R36 | order |\n| A7 | brackets |\n",
         "docs/adr/0003-thickness.md": "# 3. Thickness\n",
         "docs/a.md": "R9, R10-R11 and A7 by [ADR 3](adr/0003-thickness.md)\n",
         "core/a.h": "// R11 with A7, ADR 3\nint A8 = 0;\n",
