@@ -1,5 +1,5 @@
 #pragma once
-// What the channels of a layer mean (decisions: A26). Everything that moves, deposits, mixes or
+// What the channels of a layer mean (A26). Everything that moves, deposits, mixes or
 // merges paint treats channels alike, as linear amounts; only optics and the rheology ask this
 // basis. Two kinds: a channel per palette pigment (its amount), or "optical channels" (total
 // amount, amount-weighted K and S per band), which mix exactly alike (Duncan) at a cost that does

@@ -43,7 +43,7 @@ double km_over(KmFilm film, double ground);
 double km_opaque(KmCoefficients paint);
 
 /// Saunderson's correction: what is seen through the interface of a paint that reflects `inside`.
-/// k1: reflection of the interface from outside; k2: from inside (model.md II.1).
+/// k1: reflection of the interface from outside; k2: from inside (docs/optics.md).
 double saunderson_seen(double inside, double k1, double k2);
 /// Its inverse.
 double saunderson_inside(double seen, double k1, double k2);

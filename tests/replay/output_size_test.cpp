@@ -50,7 +50,7 @@ TEST(OutputSize, IsoSheetsLieAsTheCanvasDoes) {
   // A2 is 420 x 594 mm, and lies: 4:3 in 594 x 420 is 560 x 420 mm.
   expect_size(print("A2", 300), 6614, 4961, 300);
   const Result<OutputSize> tall = output_size(print("a4"), {600, 800, 0.75, 1.0});
-  EXPECT_EQ(tall->width, 2480);  // model.md II.8
+  EXPECT_EQ(tall->width, 2480);  // A4 is 210 x 297 mm
   EXPECT_EQ(tall->height, 3307);
 }
 

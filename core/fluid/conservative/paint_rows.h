@@ -1,5 +1,5 @@
 #pragma once
-// Small row kernels of moving paint (move_paint.cpp, stream_paint.cpp): displacements, which layers
+// Small row kernels of moving paint (move_paint_x.cpp, move_paint_y.cpp): displacements, which layers
 // a cell has, how much of the bottom layer is free. All are pointwise and exact: no scheme, nothing
 // evolves.
 

@@ -69,7 +69,8 @@ TEST(PaintMaker, ALibraryPigmentOfRgbKeepsItsColourOverWhiteAndBlack) {
 TEST(PaintMaker, FlatSpectraAreGreyInRgb) {
   const std::vector<double> nm = {400, 700}, K = {0.4, 0.4}, S = {0.7, 0.7};
   const Pigment grey = pigment_from_spectrum("grey", {nm, K, S});
-  // R = .300530188184084 over black (model.md II.1, K .4, S .7): the inverse gives K and S back.
+  // R = .300530188184084 over black (worked out by hand from K .4, S .7): the inverse gives K and S
+  // back.
   for (int band = 0; band < 3; ++band) {
     EXPECT_NEAR(grey.K(band), 0.4, 1e-5);  // the colours go through floats
     EXPECT_NEAR(grey.S(band), 0.7, 1e-5);
