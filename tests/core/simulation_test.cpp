@@ -298,6 +298,39 @@ TEST(Simulation, ADryCanvasDriesTheBrushAWetOneDoesNot) {
   EXPECT_LT(laid(false), 0.985 * laid(true));  // 8 diameters at 0.5 %: 2 % of the mean
 }
 
+TEST(Simulation, ATouchsSecondStrokeStartsAsItsFirst) {
+  // The first stroke ends on wet paint, where a brush dries no more. The second comes from beyond
+  // the canvas, where nothing says yet what it runs onto: a brush dipped again is as good as
+  // another one.
+  const Threads threads(1);
+  const auto painted = [&](int second_touch) {
+    Simulation sim(setup_of(128, 2), threads);
+    for (std::uint32_t pass = 0; pass < 3; ++pass)
+      paint(sim, {{at(0.02, 0.03, pass), at(0.18, 0.03, pass + 1)}, 0, 1, 0});
+    paint(sim, {{at(-0.1, 0.11, 5), at(0.18, 0.11, 6)}, 0, 2, second_touch});
+    return sim.wet();
+  };
+  const PaintFlow same = painted(0), other = painted(1);
+  EXPECT_EQ(same.medium_m3, other.medium_m3);
+  EXPECT_EQ(same.channel, other.channel);
+}
+
+TEST(Simulation, DryPaintSleepsWhateverGravityDoes) {
+  const Threads threads(1);
+  Simulation sim(setup_of(64, 2, SchemeKind::kConservative), threads);
+  BrushSettings runny;
+  runny.pigment_frac = 0.05f;
+  sim.set_settings(runny);
+  paint_crossing(sim);
+  for (int i = 0; i < 2000 && sim.step(); ++i) continue;
+  ASSERT_FALSE(sim.step());
+  sim.dry();
+  EXPECT_TRUE(sim.step());  // looked at once more: the relief has changed
+  EXPECT_FALSE(sim.step());
+  sim.set_gravity({0, 9.81f, 0});
+  EXPECT_FALSE(sim.step());
+}
+
 TEST(Simulation, DryingMovesThePaintIntoTheCanvas) {
   const Threads threads(1);
   Simulation sim(setup_of(128, 2), threads);
