@@ -299,15 +299,16 @@ TEST(Simulation, ADryCanvasDriesTheBrushAWetOneDoesNot) {
 }
 
 TEST(Simulation, ATouchsSecondStrokeStartsAsItsFirst) {
-  // The first stroke ends on wet paint, where a brush dries no more. The second comes from beyond
-  // the canvas, where nothing says yet what it runs onto: a brush dipped again is as good as
-  // another one.
+  // The last pass ends on wet paint, where a brush dries no more. The stroke after it goes on under
+  // the same id, so nothing lies ahead of it that says what it runs onto: a brush dipped again is
+  // as good as another one.
   const Threads threads(1);
   const auto painted = [&](int second_touch) {
     Simulation sim(setup_of(128, 2), threads);
-    for (std::uint32_t pass = 0; pass < 3; ++pass)
-      paint(sim, {{at(0.02, 0.03, pass), at(0.18, 0.03, pass + 1)}, 0, 1, 0});
-    paint(sim, {{at(-0.1, 0.11, 5), at(0.18, 0.11, 6)}, 0, 2, second_touch});
+    for (std::uint32_t pass = 1; pass < 6; ++pass)
+      paint(sim, {{at(0.02, 0.03, pass), at(0.18, 0.03, pass + 0.9)}, 0, pass, 0});
+    paint(sim, {{at(0.04, 0.03, 6), at(0.14, 0.03, 6.9)}, 0, 7, 0});
+    paint(sim, {{at(0.06, 0.03, 7), at(0.12, 0.03, 7.9)}, 0, 7, second_touch});
     return sim.wet();
   };
   const PaintFlow same = painted(0), other = painted(1);
