@@ -27,9 +27,9 @@ TEST(HeightRhsRow, LosesWhatFlowsOutThroughEachFaceInItsOwnCells) {
   const std::array<float, 2> depth_x = {1, 3}, velocity_x = {2, 4};
   const float above[2] = {7, 2}, below[2] = {5, 6}, height = 100;
   float rhs = 0;
-  height_rhs_row({depth_x.data() + 1, velocity_x.data() + 1, &above[0], &above[1], &below[0],
-                  &below[1]},
-                 &height, 0.125f, 0.25f, 1, &rhs);
+  height_rhs_row(
+      {depth_x.data() + 1, velocity_x.data() + 1, &above[0], &above[1], &below[0], &below[1]},
+      &height, 0.125f, 0.25f, 1, &rhs);
   EXPECT_EQ(rhs, 94.75f);
 }
 

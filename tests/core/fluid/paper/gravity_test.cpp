@@ -16,8 +16,8 @@ TEST(Gravity, PullsDownTheSlopeOfEachAxisInItsOwnCells) {
   canvas.dt_s = 1;
   canvas.flood(0.01f, 0);
   const StepConstants k = make_step_constants(
-      geometry, {canvas.model, canvas.gravity, canvas.dt_s, canvas.contact, canvas.amount,
-                 canvas.threads});
+      geometry,
+      {canvas.model, canvas.gravity, canvas.dt_s, canvas.contact, canvas.amount, canvas.threads});
   Planes p = make_planes(3, 3, 1);
   p.mobility_frac.fill(1);
   Field<float> height_m(3, 3);

@@ -96,8 +96,8 @@ TEST(HeightSystem, CountsEachAxisInItsOwnCells) {
     }
   p.system.centre.fill(0.05f);
   const StepConstants k = make_step_constants(
-      geometry, {canvas.model, canvas.gravity, canvas.dt_s, canvas.contact, canvas.amount,
-                 canvas.threads});
+      geometry,
+      {canvas.model, canvas.gravity, canvas.dt_s, canvas.contact, canvas.amount, canvas.threads});
   build_height_system_row(k, canvas.state, 1, {0, 3}, p);
   const float diagonal = 1 + 2 * (100 + 25);
   EXPECT_NEAR(p.system.left(1, 1) * diagonal, 105, 2e-3f);  // a few roundings of a float

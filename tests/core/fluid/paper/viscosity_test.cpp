@@ -14,8 +14,8 @@ TEST(Viscosity, CountsEachAxisBySquaresOfItsOwnCells) {
   TestCanvas canvas(geometry);
   canvas.dt_s = 1;
   const StepConstants k = make_step_constants(
-      geometry, {canvas.model, canvas.gravity, canvas.dt_s, canvas.contact, canvas.amount,
-                 canvas.threads});
+      geometry,
+      {canvas.model, canvas.gravity, canvas.dt_s, canvas.contact, canvas.amount, canvas.threads});
   Planes p = make_planes(3, 3, 1);
   p.wet.fill(1);
   p.viscosity_m2_s.fill(1e-6f);
