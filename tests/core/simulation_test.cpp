@@ -298,6 +298,40 @@ TEST(Simulation, ADryCanvasDriesTheBrushAWetOneDoesNot) {
   EXPECT_LT(laid(false), 0.985 * laid(true));  // 8 diameters at 0.5 %: 2 % of the mean
 }
 
+TEST(Simulation, ATouchsSecondStrokeStartsAsItsFirst) {
+  // The last pass ends on wet paint, where a brush dries no more. The stroke after it goes on under
+  // the same id, so nothing lies ahead of it that says what it runs onto: a brush dipped again is
+  // as good as another one.
+  const Threads threads(1);
+  const auto painted = [&](int second_touch) {
+    Simulation sim(setup_of(128, 2), threads);
+    for (std::uint32_t pass = 1; pass < 6; ++pass)
+      paint(sim, {{at(0.02, 0.03, pass), at(0.18, 0.03, pass + 0.9)}, 0, pass, 0});
+    paint(sim, {{at(0.04, 0.03, 6), at(0.14, 0.03, 6.9)}, 0, 7, 0});
+    paint(sim, {{at(0.06, 0.03, 7), at(0.12, 0.03, 7.9)}, 0, 7, second_touch});
+    return sim.wet();
+  };
+  const PaintFlow same = painted(0), other = painted(1);
+  EXPECT_EQ(same.medium_m3, other.medium_m3);
+  EXPECT_EQ(same.channel, other.channel);
+}
+
+TEST(Simulation, DryPaintSleepsWhateverGravityDoes) {
+  const Threads threads(1);
+  Simulation sim(setup_of(64, 2, SchemeKind::kConservative), threads);
+  BrushSettings runny;
+  runny.pigment_frac = 0.05f;
+  sim.set_settings(runny);
+  paint_crossing(sim);
+  for (int i = 0; i < 2000 && sim.step(); ++i) continue;
+  ASSERT_FALSE(sim.step());
+  sim.dry();
+  EXPECT_TRUE(sim.step());  // looked at once more: the relief has changed
+  EXPECT_FALSE(sim.step());
+  sim.set_gravity({0, 9.81f, 0});
+  EXPECT_FALSE(sim.step());
+}
+
 TEST(Simulation, DryingMovesThePaintIntoTheCanvas) {
   const Threads threads(1);
   Simulation sim(setup_of(128, 2), threads);

@@ -43,5 +43,15 @@ TEST_F(LeftBlocksTest, AFreshCanvasHasNone) {
   EXPECT_TRUE(left_.step().empty());
 }
 
+TEST_F(LeftBlocksTest, ACellStampedBeforeAClearIsNewAfterIt) {
+  left_.stamped({10, 12, 5, 6}, {1, 0});
+  left_.clear();
+  left_.stamped({11, 12, 5, 6}, {0, 1});
+  left_.step();
+  const std::vector<LeftBlock> left = left_.step();
+  ASSERT_EQ(left.size(), 1u);
+  EXPECT_EQ(left[0].at.x0, 11);
+}
+
 }  // namespace
 }  // namespace pentimento

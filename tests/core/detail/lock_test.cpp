@@ -109,6 +109,43 @@ TEST_F(LockTest, LeavesOtherBlocksAlone) {
   EXPECT_EQ(at(4 * 8 - 1, 45), 0.01f);
 }
 
+TEST_F(LockTest, SmoothsRatiosUpToTwoAndKeepsGreaterOnesToTheirBlock) {
+  // One block in an even film is to hold `ratio` times what it holds: up to 2 its neighbours take
+  // part in the change, beyond they stay as they are but for the rounding of their mean.
+  const auto neighbour_changes = [&](float ratio) {
+    guide_.depth_m.fill(0.01f);
+    guide_.depth_m(8, 8) = ratio * 0.01f;
+    canvas_.cover(0, guide_);
+    std::fill_n(depth(), 128 * 128, 0.01f);
+    lock();
+    EXPECT_LT(off(), 1e-8) << ratio;
+    bool changes = false;
+    for (int y = 56; y < 80; ++y)
+      for (int x = 56; x < 64; ++x) changes |= std::abs(at(x, y) - 0.01f) > 1e-6f;
+    return changes;
+  };
+  EXPECT_TRUE(neighbour_changes(1.9f));
+  EXPECT_TRUE(neighbour_changes(1 / 1.9f));
+  EXPECT_FALSE(neighbour_changes(2.1f));
+  EXPECT_FALSE(neighbour_changes(1 / 2.1f));
+}
+
+TEST_F(LockTest, FillsBlocksThatOweMoreThanSixteenTimesWhatTheyHold) {
+  const auto owed = [&](float ratio) {
+    guide_.depth_m.fill(0.01f);
+    canvas_.cover(0, guide_);
+    std::fill_n(depth(), 128 * 128, 0.01f);
+    for (int y = 64; y < 72; ++y)
+      for (int x = 64; x < 72; ++x) depth()[y * layout_.side() + x] = 0.01f / ratio;
+    const std::int64_t before = lock_.statistics().owed;
+    lock();
+    EXPECT_LT(off(), 1e-8) << ratio;
+    return lock_.statistics().owed - before;
+  };
+  EXPECT_EQ(owed(15.9f), 0);
+  EXPECT_EQ(owed(16.1f), 1);
+}
+
 TEST_F(LockTest, CountsRatios) {
   guide_.depth_m(3, 3) = 0.01f;
   canvas_.cover(0, guide_);

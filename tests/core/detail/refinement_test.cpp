@@ -4,6 +4,7 @@
 
 #include <cstring>
 
+#include "core/fluid/brush_contact.h"
 #include "tests/core/detail/painted.h"
 
 namespace pentimento {
@@ -111,6 +112,71 @@ TEST(Refinement, HasTheSameBitsWhenItsTilesWereWrittenOut) {
   EXPECT_GT(in_file.store().bytes(), 4 * scratch.resident_bytes);
   EXPECT_LE(in_file.store().held_bytes(), scratch.resident_bytes);
   EXPECT_TRUE(test::same_tiles(in_memory.refinement().canvas(), in_file.refinement().canvas()));
+}
+
+TEST(Refinement, AFreshCanvasRemembersNoStamp) {
+  test::Painted painted(64, 2);
+  painted.stamp_once(0.1, 0.07);
+  EXPECT_FALSE(painted.refinement().notes().left.empty());
+  painted.sim().clear();
+  EXPECT_EQ(painted.refinement().notes(), test::Painted(64, 2).refinement().notes());
+}
+
+/// The cells that the next lock will look at, as the notes have them.
+GuideBox noted_changed(const test::Painted& painted) {
+  const DetailLayout& layout = painted.refinement().canvas().layout();
+  const DetailNotes notes = painted.refinement().notes();
+  const int width = layout.guide().width, height = layout.guide().height;
+  GuideBox box{width, 0, height, 0};
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      if ((notes.block[static_cast<std::size_t>(y * width + x)] & kNotedChanged) == 0) continue;
+      box = {std::min(box.x0, x), std::max(box.x1, x + 1), std::min(box.y0, y),
+             std::max(box.y1, y + 1)};
+    }
+  return box;
+}
+
+TEST(Refinement, LocksAStampsCellsAndTheRingAroundThem) {
+  test::Painted painted(64, 2);
+  painted.stamp_once(0.1, 0.07);
+  std::vector<StampedBlock> stamped = painted.refinement().notes().left;  // by rows
+  ASSERT_FALSE(stamped.empty());
+  GuideBox box{stamped[0].x, stamped[0].x + 1, stamped[0].y, stamped.back().y + 1};
+  for (const StampedBlock& block : stamped)
+    box = {std::min(box.x0, block.x), std::max(box.x1, block.x + 1), box.y0, box.y1};
+  const GuideBox changed = noted_changed(painted);
+  EXPECT_EQ(changed.x0, box.x0 - 1);
+  EXPECT_EQ(changed.x1, box.x1 + 1);
+  EXPECT_EQ(changed.y0, box.y0 - 1);
+  EXPECT_EQ(changed.y1, box.y1 + 1);
+}
+
+TEST(Refinement, EdgesOfAPartOfAStepDoNotMoveTheNext) {
+  // paint_edges.h: the follower puts back to 0 what the scheme wrote.
+  test::Painted painted(64, 2);
+  painted.stroke(0, 0.05, 0.07, 0.15, 0.07);
+  const CanvasState& guide = painted.sim().state();
+  Refinement& refinement = painted.refinement();
+  const Threads threads(1);
+  const Model model;
+  const BrushContact contact = make_brush_contact(64, 48);
+  const std::vector<float> amount(static_cast<std::size_t>(guide.channels), 1.0f);
+  const StepInput in{model, {0, 0, 9.81f}, 1.0f / 45, contact, amount, threads};
+  std::vector<conservative::Run> runs;
+  for (int y = 10; y < 40; ++y) runs.push_back({y, 8, 56});
+  PaintEdges& edges = refinement.edges();
+  for (std::size_t quantity = 0; quantity < edges.x.size(); ++quantity)
+    for (const conservative::Run& run : runs)
+      for (int x = run.x0; x < run.x1; ++x)
+        edges.x[quantity](x, run.y) = edges.y[quantity](x, run.y) = 0.25f;
+  refinement.moved(guide, in, runs);
+  for (std::size_t quantity = 0; quantity < edges.x.size(); ++quantity)
+    for (int y = 0; y < 48; ++y)
+      for (int x = 0; x < 64; ++x) {
+        EXPECT_EQ(edges.x[quantity](x, y), 0);
+        EXPECT_EQ(edges.y[quantity](x, y), 0);
+      }
 }
 
 }  // namespace

@@ -105,6 +105,39 @@ TEST(PaintMaker, MeasuredPaintsAreThereByName) {
   EXPECT_GT(rgb.K(0), 5 * rgb.K(2));  // absorbs red, not blue
 }
 
+/// What a film of thickness 1 of a measured paint looks like over a ground, through an interface
+/// with `k2`: the CIE's observer in daylight, linear sRGB.
+std::array<double, 3> look_of(const SpectralPaint& paint, double ground, double k2) {
+  Spectrum seen{};
+  for (std::size_t i = 0; i < seen.size(); ++i)
+    seen[i] = saunderson_seen(km_over(km_film({paint.K[i], paint.S[i]}, 1), ground), 0, k2);
+  return weighted(rgb_weights({}), seen);
+}
+
+TEST(MeasuredPaints, InRgbLookAsTheyWereMeasuredThroughTheirInterface) {
+  Model glossy;
+  glossy.saunderson_k2 = 0.5f;
+  for (const SpectralPaint& paint : measured_paints()) {
+    // A model without an interface has the paint as it was seen; one with an interface sees through
+    // its own.
+    const Pigment plain = *PaintMaker().from_library(paint.name);
+    const Pigment inside = *PaintMaker(glossy).from_library(paint.name);
+    for (const double ground : {0.0, 1.0}) {
+      const auto seen = look_of(paint, ground, kMeasuredK2), bare = look_of(paint, ground, 0);
+      for (std::size_t c = 0; c < 3; ++c) {
+        const auto i = static_cast<Eigen::Index>(c);
+        const auto reflects = [&](const Pigment& p) {
+          return km_over(km_film({p.K(i), p.S(i)}, 1), ground);
+        };
+        // The fit of the observer in place of its table: 0.07 in the red of cadmium orange and
+        // red, whose colours lie beyond sRGB. The interface takes up to 0.3 away.
+        EXPECT_NEAR(reflects(plain), std::clamp(seen[c], 0.0, 1.0), 0.08) << paint.name << c;
+        EXPECT_NEAR(reflects(inside), std::clamp(bare[c], 0.0, 1.0), 0.08) << paint.name << c;
+      }
+    }
+  }
+}
+
 /// More white never darkens, never by a jump; the ends are the paint and the white.
 TEST(MeasuredPaints, TintLaddersRiseToWhite) {
   const Pigment white = eye().paint("golden titanium white");

@@ -59,15 +59,55 @@ TEST(Sleep, ThinPaintRunsUnderTiltAndStopsWhenItThinsOut) {
   EXPECT_GT(lowest_wet, 116 + 5);
 }
 
+std::vector<int> awake_tiles(const Basin& b) {
+  std::vector<int> awake;
+  for (std::size_t tile = 0; tile < b.state.sleep.size() / kSleepValues; ++tile)
+    if (b.state.sleep[tile * kSleepValues + kAsleep] == 0) awake.push_back(static_cast<int>(tile));
+  return awake;
+}
+
 TEST(Sleep, AStampWakesOnlyWhatItTouches) {
   Basin b = blob(0.01f, 28);
   steps_until_asleep(b, 10);
-  b.contact.weight(16, 16) = 1;
-  b.contact.touch_rows(16, 17);
+  // In tile 6 of row 4, each of 32 x 32 cells and 8 of them in a row.
+  b.contact.weight(210, 150) = 1;
+  b.contact.touch_rows(150, 151);
   EXPECT_TRUE(b.step());
-  EXPECT_NEAR(b.statistic("awake_share_max"), 1.0, 0);  // the first step
-  EXPECT_TRUE(b.step());                                // found at rest
+  EXPECT_EQ(awake_tiles(b), (std::vector<int>{4 * 8 + 6}));
+  EXPECT_TRUE(b.step());  // found at rest
+  EXPECT_EQ(awake_tiles(b), (std::vector<int>{}));
   EXPECT_FALSE(b.step());
+}
+
+TEST(Sleep, AStampsReachIsThreeCellsAndWhatItPushes) {
+  // Touched cells and the next to the right and below count, three cells more on each side, and
+  // whole cells of the push: 8 mm are 8 cells along x and 4 along y.
+  const auto awake = [](int x, int y, float push_x_m, float push_y_m) {
+    Basin b({128, 64, 0.128, 0.128});  // cells of 1 mm by 2 mm: tiles of 16 x 8
+    b.model.sleep_tile_m = 0.016f;
+    b.steps(2);
+    EXPECT_EQ(awake_tiles(b), (std::vector<int>{}));
+    b.contact.weight(x, y) = 1;
+    b.contact.push_x_m(x, y) = push_x_m;
+    b.contact.push_y_m(x, y) = push_y_m;
+    b.contact.touch_rows(y, y + 1);
+    const StepInput in{b.model, b.gravity_m_s2, b.dt_s, b.contact, b.amount, b.pool};
+    Tiles tiles(b.state.geometry, b.model.sleep_tile_m);
+    tiles.wake(b.state, in);
+    return tiles.awake_tiles();
+  };
+  // Tile (2, 3) is that of columns 32 to 47 and rows 24 to 31.
+  const auto at = [](int column, int row) { return row * 8 + column; };
+  using List = std::vector<int>;
+  EXPECT_EQ(awake(35, 27, 0, 0), (List{at(2, 3)}));
+  EXPECT_EQ(awake(34, 27, 0, 0), (List{at(1, 3), at(2, 3)}));
+  EXPECT_EQ(awake(43, 27, 0, 0), (List{at(2, 3)}));
+  EXPECT_EQ(awake(44, 27, 0, 0), (List{at(2, 3), at(3, 3)}));
+  EXPECT_EQ(awake(40, 26, 0, 0), (List{at(2, 2), at(2, 3)}));
+  EXPECT_EQ(awake(40, 28, 0, 0), (List{at(2, 3), at(2, 4)}));
+  EXPECT_EQ(awake(40, 27, 0.003f, 0), (List{at(2, 3)}));
+  EXPECT_EQ(awake(40, 27, -0.008f, 0), (List{at(1, 3), at(2, 3), at(3, 3)}));
+  EXPECT_EQ(awake(40, 27, 0, 0.008f), (List{at(2, 2), at(2, 3), at(2, 4)}));
 }
 
 TEST(Sleep, GravityWakesPaintThatFeelsIt) {
