@@ -67,5 +67,17 @@ TEST(OutputSize, TwoWaysOrNonsenseAreRefused) {
   EXPECT_EQ(output_size(huge, kGrid).error().code, ErrorCode::kLimit);
 }
 
+TEST(DetailFor, IsTheLeastAtWhichNoPixelIsSmallerThanItsCells) {
+  const CanvasGeometry grid = {100, 50, 1, 1};  // cells that are not square
+  EXPECT_EQ(detail_for({100, 50, 0}, grid), 1);
+  EXPECT_EQ(detail_for({101, 50, 0}, grid), 2);
+  EXPECT_EQ(detail_for({100, 51, 0}, grid), 2);
+  EXPECT_EQ(detail_for({100, 100, 0}, grid), 2);
+  EXPECT_EQ(detail_for({100, 151, 0}, grid), 4);
+  EXPECT_EQ(detail_for({700, 50, 0}, grid), 7);
+  EXPECT_EQ(detail_for({10, 5, 0}, grid), 1);
+  EXPECT_EQ(detail_for({100000, 50, 0}, grid), 32);  // docs/cli.md: at most
+}
+
 }  // namespace
 }  // namespace pentimento

@@ -82,6 +82,35 @@ TEST(Player, SkippingIdleStepsIsExact) {
   EXPECT_GT(b.computed, 2000);
 }
 
+TEST(Player, CuesOfTheStepAtWhichItStopsAreLeftForLater) {
+  // Mark and stop in one step: what is said at 0.5 s acts in step 22, so that step 22 is not yet
+  // tilted when 22 steps are done, and is when 23 are.
+  const auto tilted_after = [](std::int64_t steps) {
+    ListReader reader = header();
+    reader.add(0.5, log::Gravity{9, 0, 1});
+    reader.add(1.0, log::Mark{"end"});
+    LogFiles files("-", false);
+    const Control control;
+    const Threads threads(1);
+    LogPlan plan = plan_log(reader, files, {}).value();
+    const BrushTable brushes;
+    SimulationSetup setup;
+    setup.geometry = {64, 48, 0.4, 0.3};
+    setup.basis = palette_channels(plan.palette.pigments());
+    setup.paper_m = Field<float>(64, 48);
+    Simulation simulation(std::move(setup), threads);
+    Timeline timeline(reader, {plan.undo, brushes, plan.stepped, 1});
+    Hand hand(simulation, {brushes, plan.palette, 0, files, std::nullopt});
+    LightingTrack lighting(default_lighting(), 45);
+    Player player({timeline, simulation, hand, lighting, files, control, plan.steps});
+    EXPECT_TRUE(player.play_to(steps).ok());
+    EXPECT_EQ(player.steps(), steps);
+    return lighting.gravity().x_m_s2 == 9;
+  };
+  EXPECT_FALSE(tilted_after(22));
+  EXPECT_TRUE(tilted_after(23));
+}
+
 TEST(Player, UndoneStrokesLeaveNoTrace) {
   ListReader plain = two_colours();
   plain.add(3.0, log::Mark{"end"});

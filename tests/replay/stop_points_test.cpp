@@ -48,6 +48,21 @@ TEST(StopPoints, InALogOfStepsTheyCountThem) {
   EXPECT_EQ(*stops, (std::vector<std::int64_t>{2, 3, 3}));
 }
 
+TEST(StopPoints, AMarkThatIsSetTwiceIsTheFirst) {
+  ListReader reader;
+  reader.add(0.5, log::Mark{"m"});
+  reader.add(1.0, log::Mark{"n"});
+  reader.add(1.5, log::Mark{"m"});
+  EXPECT_EQ(*resolve(reader, {"mark:m", "mark:n"}, 68), (std::vector<std::int64_t>{23, 46}));
+}
+
+TEST(StopPoints, TheEndOfTheLogIsInIt) {
+  ListReader reader;
+  reader.add(1.0, log::Mark{"end"});
+  EXPECT_EQ(*resolve(reader, {"1", "step:46", "step:0"}, 46),
+            (std::vector<std::int64_t>{46, 46, 0}));
+}
+
 TEST(StopPoints, WhatIsNotInTheLogIsRefused) {
   ListReader reader;
   reader.add(1.0, log::Mark{"end"});
