@@ -3,9 +3,7 @@
 until one fails. A fault that no test notices has survived: a test is missing there, or the record of
 the fault says under "survives" why no test can or should notice it.
 
-Records lie in tests/mutation/faults/*.json, lists of
-  {"id": "...", "file": "core/...", "find": "text, once in the file", "replace": "...",
-   "breaks": "what a user would see", "survives": "optional: why no test can catch it"}
+The faults are records in tests/mutation/faults; records.py says what is in them.
 
 All is kept in build-mutation: the copy (tree), its build, and results.json, where --resume goes on.
 Ends with 1 if a record is stale or refused by the compiler, if an unexplained fault survived, or if
@@ -27,6 +25,8 @@ import subprocess
 import sys
 import time
 
+from records import load_records, planted, problems
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 WORK = ROOT / "build-mutation"
 TREE, BUILD, RESULTS = WORK / "tree", WORK / "tree/build", WORK / "results.json"
@@ -40,36 +40,6 @@ Test = collections.namedtuple("Test", "program name file seconds command")  # pr
 
 def say(text):
     print(text, file=sys.stderr, flush=True)
-
-
-# ---- records
-
-def load_records(folder):
-    return [record for file in sorted(folder.glob("*.json")) for record in json.loads(file.read_text())]
-
-
-def problems(records, root):
-    """What is wrong with the records: one line for each that cannot be planted."""
-    wrong = []
-    for name, count in collections.Counter(record.get("id") for record in records).items():
-        if count > 1:
-            wrong.append(f"{name}: {count} records have this id")
-    for record in records:
-        name = record.get("id", "(no id)")
-        if missing := {"id", "file", "find", "replace", "breaks"} - record.keys():
-            wrong.append(f"{name}: lacks {', '.join(sorted(missing))}")
-        elif not (root / record["file"]).is_file():
-            wrong.append(f"{name}: there is no {record['file']}")
-        elif (times := (root / record["file"]).read_text().count(record["find"])) != 1:
-            wrong.append(f"{name}: its text is {times} times in {record['file']}: {record['find']}")
-        elif record["find"] == record["replace"]:
-            wrong.append(f"{name}: changes nothing")
-    return wrong
-
-
-def planted(record):
-    """Changes with what the fault does to its file."""
-    return hashlib.sha256(json.dumps([record[key] for key in ("file", "find", "replace")]).encode()).hexdigest()
 
 
 # ---- the copy
@@ -127,28 +97,32 @@ def listed_tests():
 
 
 def source_of_tests(program):
-    """Test's name -> its file in the tree."""
+    """Test's name -> its file in the tree; ccache makes names relative to the build."""
     told = WORK / "tests.json"
     subprocess.run([program, "--gtest_list_tests", f"--gtest_output=json:{told}"], check=True,
                    stdout=subprocess.DEVNULL)
-    return {f"{suite['name']}.{test['name']}": os.path.relpath(test["file"], TREE)
+    return {f"{suite['name']}.{test['name']}": os.path.relpath(BUILD / test["file"], TREE)
             for suite in json.loads(told.read_text())["testsuites"] for test in suite["testsuite"]}
 
 
-def measure_tests():
-    """Runs every test once without a fault; how long each takes."""
+def seconds_of_tests(program, shard, shards):
+    """Test's name -> how long it takes without a fault."""
+    told = WORK / f"times-{shard}.json"
+    command = [program, f"--gtest_output=json:{told}", "--gtest_brief=1"]
+    if subprocess.run(command, cwd=BUILD, env=surroundings(shard, shards), stdout=sys.stderr).returncode:
+        sys.exit(f"mutate: {program} fails without a fault")
+    return {f"{suite['name']}.{test['name']}": float(test["time"].rstrip("s"))
+            for suite in json.loads(told.read_text())["testsuites"] for test in suite["testsuite"]}
+
+
+def measure_tests(jobs):
+    """Runs every test once without a fault."""
     tests, asked = [], list(listed_tests())
     for program in sorted({program for program, _, _ in asked if program}):
         say(f"without a fault: {pathlib.Path(program).name}")
-        files, told = source_of_tests(program), WORK / "times.json"
-        ran = subprocess.run([program, f"--gtest_output=json:{told}", "--gtest_brief=1"], cwd=BUILD, env=surroundings(),
-                             stdout=sys.stderr)
-        if ran.returncode:
-            sys.exit(f"mutate: {program} fails without a fault")
-        for suite in json.loads(told.read_text())["testsuites"]:
-            for test in suite["testsuite"]:
-                name = f"{suite['name']}.{test['name']}"
-                tests.append(Test(program, name, files[name], float(test["time"].rstrip("s")), []))
+        files = source_of_tests(program)
+        for seconds in together(lambda n: seconds_of_tests(program, n, jobs), jobs):
+            tests += [Test(program, name, files[name], time_s, []) for name, time_s in seconds.items()]
     for name, command in [(name, command) for program, name, command in asked if not program]:
         say(f"without a fault: {name}")
         began = time.monotonic()
@@ -158,8 +132,16 @@ def measure_tests():
     return tests
 
 
-def surroundings():
-    return {**os.environ, "PATH": "/usr/bin:" + os.environ.get("PATH", "")}
+def together(body, count):
+    """body(0), body(1), ... at the same time."""
+    with concurrent.futures.ThreadPoolExecutor(count) as pool:
+        return list(pool.map(body, range(count)))
+
+
+def surroundings(shard=0, shards=1):
+    """The distribution's Python comes first: that is the one which has the tests' packages."""
+    return {**os.environ, "PATH": "/usr/bin:" + os.environ.get("PATH", ""),
+            "GTEST_TOTAL_SHARDS": str(shards), "GTEST_SHARD_INDEX": str(shard)}
 
 
 def rank(test, source, killer=None):
@@ -187,14 +169,10 @@ def rounds(tests, source, killer=None):
 
 def who_fails(group, shard, shards):
     """Name of the test that fails or hangs, or nothing."""
-    first, env = group[0], surroundings()
-    command = first.command
-    if first.program:
-        names = ":".join(test.name for test in group)
-        command = [first.program, f"--gtest_filter={names}", "--gtest_fail_fast"]
-        env.update(GTEST_TOTAL_SHARDS=str(shards), GTEST_SHARD_INDEX=str(shard))
-    running = subprocess.Popen(command, cwd=BUILD, env=env, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                               text=True, errors="replace", start_new_session=True)
+    first, names = group[0], ":".join(test.name for test in group)
+    command = [first.program, f"--gtest_filter={names}", "--gtest_fail_fast"] if first.program else first.command
+    running = subprocess.Popen(command, cwd=BUILD, env=surroundings(shard, shards), stdout=subprocess.PIPE,
+                               stderr=subprocess.STDOUT, text=True, errors="replace", start_new_session=True)
     try:
         told, _ = running.communicate(timeout=PATIENCE[0] * sum(test.seconds for test in group) + PATIENCE[1])
         hung = ""
@@ -210,8 +188,7 @@ def who_fails(group, shard, shards):
 
 def first_to_fail(group, jobs):
     shards = min(jobs, len(group)) if group[0].program else 1
-    with concurrent.futures.ThreadPoolExecutor(shards) as pool:
-        return next((name for name in pool.map(lambda n: who_fails(group, n, shards), range(shards)) if name), "")
+    return next(filter(None, together(lambda n: who_fails(group, n, shards), shards)), "")
 
 
 # ---- the run
@@ -249,7 +226,7 @@ def run(records, args):
         sys.exit(f"mutate: the tree does not build without a fault\n{refused[-4000:]}")
     same = kept["tree"] == tree
     if not (args.resume and same and kept["tests"]):
-        kept["tests"] = measure_tests()
+        kept["tests"] = measure_tests(args.jobs)
     kept["tree"], tests = tree, [Test(*test) for test in kept["tests"]]
     for number, record in enumerate(sorted(records, key=lambda record: (record["file"], record["id"])), 1):
         old = kept["faults"].get(record["id"])
@@ -262,15 +239,12 @@ def run(records, args):
     return kept["faults"]
 
 
-def folder_of(file):
-    return "/".join(file.split("/")[:-1][:2])
-
-
 def report(records, found):
     """The table on standard output; whether the tests bite well enough."""
     caught, total, good = collections.Counter(), collections.Counter(), True
     for record in records:
-        verdict, folder = found[record["id"]]["verdict"], folder_of(record["file"])
+        verdict = found[record["id"]]["verdict"]
+        folder = "/".join(record["file"].split("/")[:-1][:2])
         total[folder] += 1
         caught[folder] += verdict == "caught"
         if verdict == "invalid":

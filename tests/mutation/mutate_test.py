@@ -6,6 +6,7 @@ import tempfile
 import unittest
 
 import mutate
+import records
 
 RECORD = {"id": "a", "file": "core/drop.cpp", "find": "a + b", "replace": "a - b", "breaks": "drops shrink"}
 
@@ -25,13 +26,13 @@ class RecordsTest(unittest.TestCase):
     def write(self, text):
         (self.root / "core/drop.cpp").write_text(text)
 
-    def problem(self, *records):
-        found = mutate.problems(records, self.root)
+    def problem(self, *faults):
+        found = records.problems(faults, self.root)
         self.assertEqual(len(found), 1, found)
         return found[0]
 
     def test_a_record_that_fits_is_taken(self):
-        self.assertEqual(mutate.problems([RECORD], self.root), [])
+        self.assertEqual(records.problems([RECORD], self.root), [])
 
     def test_a_stale_record_is_told_by_its_id(self):
         self.write("return sum(a, b);\n")
@@ -72,10 +73,10 @@ class OrderTest(unittest.TestCase):
 
 class VerdictTest(unittest.TestCase):
     def good(self, caught, survived, **more):
-        records = [{**RECORD, "id": str(number), **more} for number in range(caught + survived)]
+        faults = [{**RECORD, "id": str(number), **more} for number in range(caught + survived)]
         found = {record["id"]: {"verdict": "caught" if int(record["id"]) < caught else "survived", "by": ""}
-                 for record in records}
-        return mutate.report(records, found)
+                 for record in faults}
+        return mutate.report(faults, found)
 
     def test_a_survivor_needs_a_reason(self):
         self.assertTrue(self.good(10, 0))
@@ -86,7 +87,7 @@ class VerdictTest(unittest.TestCase):
         self.assertFalse(self.good(8, 2, survives="hard to test"))
 
     def test_a_survivor_is_asked_again_after_the_tests_changed(self):
-        old = {"record": mutate.planted(RECORD), "verdict": "survived", "by": ""}
+        old = {"record": records.planted(RECORD), "verdict": "survived", "by": ""}
         self.assertTrue(mutate.settled(old, RECORD, same_tree=True))
         self.assertFalse(mutate.settled(old, RECORD, same_tree=False))
         self.assertTrue(mutate.settled({**old, "verdict": "caught"}, RECORD, same_tree=False))
