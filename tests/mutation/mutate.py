@@ -85,15 +85,14 @@ def build(target, jobs):
 
 # ---- the tests
 
-def listed_tests():
-    """All that ctest would run, as (program or "", name, command)."""
+def commands():
+    """The tests of ctest that are no GoogleTest: (name, command)."""
     told = subprocess.run(["ctest", "--test-dir", str(BUILD), "--show-only=json-v1"], check=True,
                           stdout=subprocess.PIPE, text=True).stdout
     for test in json.loads(told)["tests"]:
         command = test.get("command", [])
-        if command and test["name"] not in NOT_ASKED:
-            named = re.match(r"--gtest_filter=(.*)", command[1]) if len(command) > 1 else None
-            yield (command[0], named[1], []) if named else ("", test["name"], command)
+        if command and test["name"] not in NOT_ASKED and not any("--gtest_" in word for word in command):
+            yield test["name"], command
 
 
 def source_of_tests(program):
@@ -117,13 +116,13 @@ def seconds_of_tests(program, shard, shards):
 
 def measure_tests(jobs):
     """Runs every test once without a fault."""
-    tests, asked = [], list(listed_tests())
-    for program in sorted({program for program, _, _ in asked if program}):
+    tests = []
+    for program in sorted(str(path) for path in BUILD.glob("*_tests")):
         say(f"without a fault: {pathlib.Path(program).name}")
         files = source_of_tests(program)
         for seconds in together(lambda n: seconds_of_tests(program, n, jobs), jobs):
             tests += [Test(program, name, files[name], time_s, []) for name, time_s in seconds.items()]
-    for name, command in [(name, command) for program, name, command in asked if not program]:
+    for name, command in commands():
         say(f"without a fault: {name}")
         began = time.monotonic()
         if subprocess.run(command, cwd=BUILD, env=surroundings(), stdout=sys.stderr).returncode:
