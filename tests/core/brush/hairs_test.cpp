@@ -51,6 +51,27 @@ TEST(Hairs, ALightTouchIsNarrowerWithAPointedBundle) {
   EXPECT_LT(width(0.1f), 0.75 * width(1));
 }
 
+TEST(Hairs, SpreadWithTheSquareOfThePressing) {
+  Hair hair;
+  hair.length = 1;
+  hair.radius = 0.1f;
+  hair.load = 1;
+  hair.out_v = 0.5f;
+  HairBundle bundle = bundle_of(TipShape::kBristle);
+  for (const float press : {0.1f, 0.5f, 1.0f}) {
+    const Field<float> map = draw_hairs(bundle, {hair}, press, kSize);
+    double sum = 0, place = 0;
+    for (int y = 0; y < kSize; ++y)
+      for (int x = 0; x < kSize; ++x) {
+        sum += static_cast<double>(map(x, y));
+        place += static_cast<double>(map(x, y)) * ((y + 0.5) * 2 / kSize - 1);
+      }
+    ASSERT_GT(sum, 0) << press;
+    // A tenth of a texel: the mark is even about its middle, texels stand 0.02 apart.
+    EXPECT_NEAR(place / sum, 0.5 * static_cast<double>(press * press), 2e-3) << press;
+  }
+}
+
 TEST(Hairs, ClumpsLeaveGapsAcrossTheStroke) {
   const auto unevenness = [](float clumping) {
     HairBundle bundle = bundle_of(TipShape::kBristle);

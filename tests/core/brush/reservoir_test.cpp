@@ -143,6 +143,37 @@ TEST(Gather, TheBrushGainsPerAreaWhatTheCanvasLost) {
   }
 }
 
+TEST(Gather, FinePaintArrivesWhereItsCellIs) {
+  const BrushDefinition brush = *builtin_brush("round");
+  const Tip tip(brush);
+  const CanvasGeometry geometry{400, 300, 0.2, 0.15};
+  Stamp stamp;
+  stamp.x_m = 0.1;
+  stamp.y_m = 0.07;
+  stamp.diameter_m = 0.1f;
+  const TipPose pose = pose_of(stamp, brush, 0);
+  const CellBox box = box_of(pose, tip.extent(), geometry);
+  const std::vector<TouchedCells> rows(static_cast<std::size_t>(box.height), {0, box.width});
+  for (const int right : {3, 7, 12}) {  // cells from the middle, where all texels are the tip's
+    std::vector<float> lifted(static_cast<std::size_t>(box.width * box.height * 4), 0.0f);
+    const int x = box.width / 2 + right, y = box.height / 2 + 5;
+    lifted[static_cast<std::size_t>((y * box.width + x) * 4)] = 1;
+    Reservoir reservoir(1);
+    gather_lifted({lifted, 4, rows}, pose, box, geometry, tip, reservoir);
+    double sum = 0, u = 0, v = 0;
+    for (const TipTexel& t : tip.texels()) {
+      const double paint = static_cast<double>(reservoir.texel(t.index)[0]);
+      sum += paint;
+      u += paint * static_cast<double>(t.u);
+      v += paint * static_cast<double>(t.v);
+    }
+    const TipRow row = tip_row(pose, box, geometry, box.y + y);
+    // Bilinear shares keep the place, up to the rounding of floats.
+    EXPECT_NEAR(u / sum, static_cast<double>(row.u(x)), 1e-6);
+    EXPECT_NEAR(v / sum, static_cast<double>(row.v(x)), 1e-6);
+  }
+}
+
 TEST(Gather, EveryComponentIsTreatedAlike) {
   // A component that is the sum of two others on the canvas is so in the brush too.
   const BrushDefinition brush = *builtin_brush("flat");

@@ -172,6 +172,17 @@ TEST(StrokePath, TwistTakesTheShortWay) {
   a.twist_rad = 6.2f;
   b.twist_rad = 0.1f;
   for (const Stamp& s : stamps_of({a, b})) EXPECT_TRUE(s.twist_rad > 6.1f || s.twist_rad < 0.2f);
+  std::swap(a.twist_rad, b.twist_rad);
+  for (const Stamp& s : stamps_of({a, b})) EXPECT_TRUE(s.twist_rad > 6.1f || s.twist_rad < 0.2f);
+}
+
+TEST(StrokePath, AMissingPressureIsThatOfTheOtherEnd) {
+  TouchSample with = sample_at(0.2, 0.3, 0), without = sample_at(0.3, 0.3, 1);
+  with.pressure = 0.4f;
+  std::vector<Stamp> stamps = stamps_of({with, without});
+  stamps.pop_back();  // the last stands where nothing is known
+  for (const Stamp& s : stamps) EXPECT_EQ(s.pressure, 0.4f);
+  for (const Stamp& s : stamps_of({without, with})) EXPECT_EQ(s.pressure, 0.4f);
 }
 
 }  // namespace

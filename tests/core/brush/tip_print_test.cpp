@@ -141,6 +141,17 @@ TEST_F(TipPrintTest, IsTheTipWhereThereIsNoWay) {
   EXPECT_LT(most, 1.1e-3);
 }
 
+TEST_F(TipPrintTest, DriesAsTheTipDoes) {
+  for (const float density_frac : {0.75f, 0.5f, 0.27f}) {
+    plan_.state.density_frac = density_frac;
+    const auto [most, mean] = difference(0, 1);
+    EXPECT_GT(mean, 0.005) << density_frac;
+    // The print multiplies whole rows of texels by the table, the tip each place: within a row of
+    // 1/128 the table rises by up to 0.1.
+    EXPECT_LT(most, 0.1) << density_frac;
+  }
+}
+
 TEST_F(TipPrintTest, TouchesNothingBeyondItsReach) {
   plan_.extent = tip_.extent();
   const float turns_rad[] = {0, 0.4f, 0.785398f, 1.570796f, 2.5f};
