@@ -10,7 +10,7 @@
 #include "cli/range.h"
 #include "cli/talk.h"
 #include "formats/film/film_writer.h"
-#include "replay/relight.h"
+#include "replay/commands/relight.h"
 
 namespace pentimento::cli {
 

@@ -12,8 +12,8 @@
 #include "cli/range.h"
 #include "cli/talk.h"
 #include "cli/values.h"
-#include "replay/dry_run.h"
-#include "replay/render.h"
+#include "replay/commands/dry_run.h"
+#include "replay/commands/render.h"
 
 namespace pentimento::cli {
 

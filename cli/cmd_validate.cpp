@@ -7,8 +7,8 @@
 #include <CLI/Formatter.hpp>
 
 #include "cli/command.h"
-#include "replay/json_object.h"
-#include "replay/validate.h"
+#include "replay/commands/validate.h"
+#include "replay/job/json_object.h"
 
 namespace pentimento::cli {
 

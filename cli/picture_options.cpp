@@ -8,8 +8,8 @@
 #include "cli/range.h"
 #include "cli/values.h"
 #include "core/optics/tone.h"
-#include "formats/log/ranges.h"
-#include "replay/lighting_track.h"
+#include "formats/log/tables/ranges.h"
+#include "replay/play/lighting_track.h"
 
 namespace pentimento::cli {
 

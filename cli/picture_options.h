@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "core/result.h"
-#include "replay/render_job.h"
+#include "core/base/result.h"
+#include "replay/job/render_job.h"
 
 namespace CLI {
 class App;

@@ -5,7 +5,7 @@
 
 #include <cstdio>
 
-#include "replay/json_object.h"
+#include "replay/job/json_object.h"
 
 namespace pentimento::cli {
 

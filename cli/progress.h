@@ -5,8 +5,8 @@
 #include <chrono>
 #include <string>
 
-#include "core/result.h"
-#include "replay/control.h"
+#include "core/base/result.h"
+#include "replay/job/control.h"
 
 namespace pentimento::cli {
 

@@ -7,7 +7,7 @@
 #include "cli/command.h"
 #include "cli/picture_options.h"
 #include "cli/progress.h"
-#include "replay/report.h"
+#include "replay/job/report.h"
 
 namespace pentimento::cli {
 

@@ -3,8 +3,8 @@
 
 #include <string>
 
+#include "core/base/field.h"
 #include "core/brush/pressure_curve.h"
-#include "core/field.h"
 
 namespace pentimento {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/math/approx.h"
+#include "core/base/approx.h"
 
 namespace pentimento {
 

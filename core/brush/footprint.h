@@ -5,7 +5,7 @@
 #include "core/brush/brush_settings.h"
 #include "core/brush/stamp.h"
 #include "core/brush/tip.h"
-#include "core/canvas_state.h"
+#include "core/canvas/canvas_state.h"
 
 namespace pentimento {
 

@@ -8,8 +8,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/base/field.h"
 #include "core/brush/brush_settings.h"
-#include "core/field.h"
 
 namespace pentimento {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "core/math/random.h"
+#include "core/base/random.h"
 
 namespace pentimento {
 

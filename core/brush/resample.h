@@ -1,7 +1,7 @@
 #pragma once
 // Changing the resolution of a plane without changing its mean.
 
-#include "core/field.h"
+#include "core/base/field.h"
 
 namespace pentimento {
 

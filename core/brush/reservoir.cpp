@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/fluid/conservative/kernel.h"
+#include "core/base/kernel.h"
 
 namespace pentimento {
 

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "core/vec.h"
+#include "core/base/vec.h"
 
 namespace pentimento {
 

@@ -2,7 +2,7 @@
 // Whoever does each stamp again on a canvas of its own.
 
 #include "core/brush/stamp_plan.h"
-#include "core/canvas_state.h"
+#include "core/canvas/canvas_state.h"
 
 namespace pentimento {
 

@@ -11,7 +11,7 @@
 #include "core/brush/reservoir.h"
 #include "core/brush/stamp.h"
 #include "core/brush/tip.h"
-#include "core/canvas_state.h"
+#include "core/canvas/canvas_state.h"
 #include "core/layers/lay_paint.h"
 #include "core/layers/lift.h"
 #include "core/layers/mix_layers.h"

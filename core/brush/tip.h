@@ -7,10 +7,10 @@
 #include <array>
 #include <vector>
 
+#include "core/base/field.h"
 #include "core/brush/brush_settings.h"
 #include "core/brush/paint_load.h"
 #include "core/brush/tip_shapes.h"
-#include "core/field.h"
 
 namespace pentimento {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/fluid/conservative/kernel.h"
+#include "core/base/kernel.h"
 
 namespace pentimento {
 

@@ -5,8 +5,8 @@
 
 #include <span>
 
+#include "core/base/field.h"
 #include "core/brush/stamp_plan.h"
-#include "core/field.h"
 
 namespace pentimento {
 

@@ -6,8 +6,8 @@
 
 #include <cstdint>
 
+#include "core/base/field.h"
 #include "core/brush/brush_settings.h"
-#include "core/field.h"
 
 namespace pentimento {
 

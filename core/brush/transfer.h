@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "core/base/threads.h"
 #include "core/brush/brush_settings.h"
 #include "core/brush/footprint.h"
 #include "core/brush/gather.h"
@@ -17,12 +18,11 @@
 #include "core/brush/stamp_plan.h"
 #include "core/brush/tip.h"
 #include "core/brush/tip_print.h"
-#include "core/canvas_state.h"
+#include "core/canvas/canvas_state.h"
+#include "core/canvas/paint_account.h"
 #include "core/fluid/brush_contact.h"
 #include "core/layers/layer_row.h"
-#include "core/model.h"
-#include "core/paint_account.h"
-#include "core/threads.h"
+#include "core/model/model.h"
 
 namespace pentimento {
 

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/canvas_source.h"
+#include "core/canvas/canvas_source.h"
 #include "core/debug/color_map.h"
 #include "core/optics/channels.h"
 

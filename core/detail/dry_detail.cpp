@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/drying.h"
+#include "core/simulation/drying.h"
 
 namespace pentimento {
 

@@ -1,10 +1,10 @@
 #pragma once
 // The wet paint of the detail canvas dries (R20).
 
-#include "core/detail/detail_canvas.h"
-#include "core/model.h"
+#include "core/base/threads.h"
+#include "core/detail/store/detail_canvas.h"
+#include "core/model/model.h"
 #include "core/optics/channels.h"
-#include "core/threads.h"
 
 namespace pentimento {
 

@@ -3,13 +3,13 @@
 #include <algorithm>
 
 #include "core/detail/dry_detail.h"
-#include "core/detail/gather_edges.h"
-#include "core/detail/level_detail.h"
-#include "core/detail/move_detail.h"
-#include "core/detail/moving_blocks.h"
+#include "core/detail/flow/level_detail.h"
+#include "core/detail/flow/move_detail.h"
+#include "core/detail/flow/moving_blocks.h"
 #include "core/detail/restore_detail.h"
 #include "core/detail/resume_detail.h"
-#include "core/fluid/conservative/settle_quanta.h"
+#include "core/detail/stamp/gather_edges.h"
+#include "core/fluid/conservative/tiles/settle_quanta.h"
 #include "core/fluid/scheme.h"
 
 namespace pentimento {

@@ -5,15 +5,15 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/canvas_follower.h"
-#include "core/canvas_source.h"
-#include "core/detail/changed_blocks.h"
-#include "core/detail/detail_canvas.h"
-#include "core/detail/detail_notes.h"
-#include "core/detail/detail_stamp.h"
-#include "core/detail/left_blocks.h"
-#include "core/detail/lock.h"
-#include "core/threads.h"
+#include "core/base/threads.h"
+#include "core/canvas/canvas_source.h"
+#include "core/detail/lock/lock.h"
+#include "core/detail/stamp/detail_stamp.h"
+#include "core/detail/store/changed_blocks.h"
+#include "core/detail/store/detail_canvas.h"
+#include "core/detail/store/detail_notes.h"
+#include "core/detail/store/left_blocks.h"
+#include "core/simulation/canvas_follower.h"
 
 namespace pentimento {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/detail/block_rows.h"
+#include "core/detail/store/block_rows.h"
 
 namespace pentimento {
 

@@ -1,8 +1,8 @@
 #pragma once
 // A detail canvas for a state that was painted without one.
 
-#include "core/detail/detail_canvas.h"
-#include "core/threads.h"
+#include "core/base/threads.h"
+#include "core/detail/store/detail_canvas.h"
 
 namespace pentimento {
 

@@ -1,6 +1,6 @@
 #include "core/detail/resume_detail.h"
 
-#include "core/check.h"
+#include "core/base/check.h"
 
 namespace pentimento {
 

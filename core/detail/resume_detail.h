@@ -1,9 +1,9 @@
 #pragma once
 // A detail canvas that was dumped, to go on with.
 
-#include "core/canvas_source.h"
-#include "core/detail/detail_canvas.h"
-#include "core/detail/detail_notes.h"
+#include "core/canvas/canvas_source.h"
+#include "core/detail/store/detail_canvas.h"
+#include "core/detail/store/detail_notes.h"
 
 namespace pentimento {
 

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "core/canvas_state.h"
-#include "core/fluid/conservative/runs.h"
+#include "core/base/runs.h"
+#include "core/canvas/canvas_state.h"
 
 namespace pentimento {
 

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "core/canvas_state.h"
-#include "core/model.h"
+#include "core/canvas/canvas_state.h"
+#include "core/model/model.h"
 
 namespace pentimento {
 

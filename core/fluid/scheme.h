@@ -7,12 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "core/canvas_state.h"
+#include "core/base/threads.h"
+#include "core/base/vec.h"
+#include "core/canvas/canvas_state.h"
 #include "core/fluid/brush_contact.h"
 #include "core/fluid/paint_edges.h"
-#include "core/model.h"
-#include "core/threads.h"
-#include "core/vec.h"
+#include "core/model/model.h"
 
 namespace pentimento {
 

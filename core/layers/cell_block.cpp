@@ -1,6 +1,6 @@
 #include "core/layers/cell_block.h"
 
-#include "core/fluid/conservative/kernel.h"
+#include "core/base/kernel.h"
 
 namespace pentimento {
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "core/canvas_state.h"
+#include "core/canvas/canvas_state.h"
 #include "core/optics/composite.h"
 
 namespace pentimento {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "core/fluid/conservative/kernel.h"
+#include "core/base/any_not_zero.h"
+#include "core/base/kernel.h"
 #include "core/layers/cell_block.h"
-#include "core/math/any_not_zero.h"
 
 namespace pentimento {
 

@@ -6,8 +6,8 @@
 #include <Eigen/Core>
 #include <span>
 
-#include "core/canvas_state.h"
-#include "core/model.h"
+#include "core/canvas/canvas_state.h"
+#include "core/model/model.h"
 #include "core/optics/channels.h"
 
 namespace pentimento {

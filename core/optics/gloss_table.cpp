@@ -5,9 +5,9 @@
 #include <cstddef>
 #include <optional>
 
-#include "core/check.h"
-#include "core/fluid/conservative/kernel.h"
-#include "core/math/row_exp.h"
+#include "core/base/check.h"
+#include "core/base/kernel.h"
+#include "core/base/row_exp.h"
 #include "core/optics/irradiance.h"
 #include "core/optics/microfacet.h"
 

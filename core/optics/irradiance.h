@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "core/field.h"
+#include "core/base/field.h"
 #include "core/optics/lighting.h"
 
 namespace pentimento {

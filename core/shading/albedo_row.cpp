@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 
-#include "core/check.h"
-#include "core/fluid/conservative/kernel.h"
-#include "core/math/row_exp.h"
+#include "core/base/check.h"
+#include "core/base/kernel.h"
+#include "core/base/row_exp.h"
 #include "core/optics/spectral/band_weights.h"
 
 namespace pentimento {

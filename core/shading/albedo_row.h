@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "core/model.h"
+#include "core/model/model.h"
 #include "core/optics/channels.h"
 #include "core/optics/composite.h"
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "core/base/result.h"
 #include "core/optics/channels.h"
-#include "core/result.h"
 
 namespace pentimento {
 

@@ -6,9 +6,9 @@
 #include <array>
 #include <vector>
 
-#include "core/canvas_source.h"
+#include "core/base/threads.h"
+#include "core/canvas/canvas_source.h"
 #include "core/optics/lighting.h"
-#include "core/threads.h"
 
 namespace pentimento {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/canvas_state.h"
+#include "core/canvas/canvas_state.h"
 #include "core/optics/lighting.h"
 #include "core/shading/gl/objects.h"
 

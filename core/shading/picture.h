@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "core/field.h"
-#include "core/result.h"
+#include "core/base/field.h"
+#include "core/base/result.h"
 
 namespace pentimento {
 

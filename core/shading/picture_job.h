@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/base/threads.h"
 #include "core/optics/gloss_table.h"
 #include "core/shading/aov.h"
 #include "core/shading/gl/objects.h"
@@ -10,7 +11,6 @@
 #include "core/shading/shade_program.h"
 #include "core/shading/shader.h"
 #include "core/shading/tile_plan.h"
-#include "core/threads.h"
 
 namespace pentimento {
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <string>
 
-#include "core/canvas_state.h"
+#include "core/canvas/canvas_state.h"
 #include "core/optics/lighting.h"
 #include "core/shading/aov.h"
 #include "core/shading/gl/objects.h"

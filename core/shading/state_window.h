@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "core/canvas_source.h"
+#include "core/base/threads.h"
+#include "core/canvas/canvas_source.h"
 #include "core/shading/albedo_row.h"
-#include "core/threads.h"
 
 namespace pentimento {
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/math/approx.h"
+#include "core/base/approx.h"
 #include "core/optics/srgb.h"
 
 namespace pentimento {

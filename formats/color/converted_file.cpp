@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/threads.h"
+#include "core/base/threads.h"
 
 namespace pentimento {
 

@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-#include "core/math/random.h"
+#include "core/base/random.h"
 
 namespace pentimento {
 

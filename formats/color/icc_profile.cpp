@@ -6,7 +6,7 @@
 #include <cmath>
 #include <memory>
 
-#include "core/check.h"
+#include "core/base/check.h"
 
 namespace pentimento {
 

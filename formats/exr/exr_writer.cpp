@@ -17,7 +17,7 @@
 #include <cmath>
 #include <exception>
 
-#include "core/threads.h"
+#include "core/base/threads.h"
 #include "formats/color/converted_file.h"
 #include "formats/exr/chromaticities.h"
 #include "formats/exr/stream.h"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/result.h"
+#include "core/base/result.h"
 #include "formats/color/color_profile.h"
 #include "formats/io/picture_file.h"
 

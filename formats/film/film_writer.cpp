@@ -13,7 +13,7 @@
 #include <fstream>
 #include <vector>
 
-#include "core/threads.h"
+#include "core/base/threads.h"
 #include "formats/film/film_module.h"
 #include "formats/image/module_function.h"
 #include "formats/io/output_file.h"

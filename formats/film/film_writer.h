@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "core/result.h"
+#include "core/base/result.h"
 #include "formats/color/row_encoder.h"
 #include "formats/io/picture_file.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "core/check.h"
+#include "core/base/check.h"
 #include "formats/hdf5/handle.h"
 #include "formats/io/deflate.h"
 

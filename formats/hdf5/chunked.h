@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "core/canvas_source.h"
-#include "core/threads.h"
+#include "core/base/threads.h"
+#include "core/canvas/canvas_source.h"
 
 namespace pentimento::hdf5 {
 

@@ -14,7 +14,7 @@
 #include <tuple>
 #include <vector>
 
-#include "core/canvas_source.h"
+#include "core/canvas/canvas_source.h"
 #include "formats/hdf5/handle.h"
 #include "formats/hdf5/layout.h"
 

@@ -4,7 +4,7 @@
 #include <cstring>
 #include <string_view>
 
-#include "core/check.h"
+#include "core/base/check.h"
 
 namespace pentimento::hdf5 {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "core/canvas_source.h"
+#include "core/canvas/canvas_source.h"
 
 namespace pentimento::hdf5 {
 

@@ -6,10 +6,10 @@
 
 #include <optional>
 
-#include "core/canvas_state.h"
-#include "core/detail/detail_notes.h"
-#include "core/result.h"
-#include "core/threads.h"
+#include "core/base/result.h"
+#include "core/base/threads.h"
+#include "core/canvas/canvas_state.h"
+#include "core/detail/store/detail_notes.h"
 #include "formats/hdf5/read_canvas.h"
 
 namespace pentimento::hdf5 {

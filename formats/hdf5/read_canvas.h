@@ -5,8 +5,8 @@
 
 #include <string>
 
-#include "core/canvas_state.h"
-#include "core/result.h"
+#include "core/base/result.h"
+#include "core/canvas/canvas_state.h"
 #include "formats/hdf5/layout.h"
 
 namespace pentimento::hdf5 {

@@ -20,7 +20,7 @@
 #include "formats/hdf5/rehearsal.h"
 #include "formats/hdf5/sleep.h"
 #include "formats/hdf5/state_dump.h"
-#include "formats/log/model_fields.h"
+#include "formats/log/tables/model_fields.h"
 
 namespace pentimento {
 

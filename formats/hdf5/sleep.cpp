@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/fluid/conservative/tiles.h"
+#include "core/fluid/conservative/tiles/tiles.h"
 #include "formats/hdf5/read_small.h"
 #include "formats/hdf5/write_small.h"
 

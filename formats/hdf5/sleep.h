@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "core/canvas_state.h"
-#include "core/model.h"
-#include "core/result.h"
+#include "core/base/result.h"
+#include "core/canvas/canvas_state.h"
+#include "core/model/model.h"
 #include "formats/hdf5/read_canvas.h"
 
 namespace pentimento::hdf5 {

@@ -6,13 +6,13 @@
 #include <optional>
 #include <string>
 
-#include "core/canvas_source.h"
-#include "core/detail/detail_notes.h"
-#include "core/model.h"
+#include "core/base/result.h"
+#include "core/base/threads.h"
+#include "core/canvas/canvas_source.h"
+#include "core/detail/store/detail_notes.h"
+#include "core/model/model.h"
 #include "core/optics/channels.h"
 #include "core/optics/lighting.h"
-#include "core/result.h"
-#include "core/threads.h"
 #include "formats/io/output_file.h"
 #include "formats/io/picture_file.h"
 

@@ -5,8 +5,8 @@
 
 #include <string>
 
-#include "core/canvas_source.h"
-#include "core/threads.h"
+#include "core/base/threads.h"
+#include "core/canvas/canvas_source.h"
 
 namespace pentimento::hdf5 {
 

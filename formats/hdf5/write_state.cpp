@@ -3,8 +3,8 @@
 
 #include <string_view>
 
+#include "core/base/threads.h"
 #include "core/optics/tone.h"
-#include "core/threads.h"
 #include "formats/hdf5/chunked.h"
 #include "formats/hdf5/handle.h"
 #include "formats/hdf5/lighting_parts.h"
@@ -18,7 +18,7 @@
 #include "formats/hdf5/xdmf.h"
 #include "formats/io/provenance.h"
 #include "formats/io/publish.h"
-#include "formats/log/model_fields.h"
+#include "formats/log/tables/model_fields.h"
 
 namespace pentimento {
 

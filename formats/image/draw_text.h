@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <string>
 
-#include "core/field.h"
-#include "core/result.h"
+#include "core/base/field.h"
+#include "core/base/result.h"
 
 namespace pentimento {
 

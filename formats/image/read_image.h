@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "core/field.h"
-#include "core/result.h"
+#include "core/base/field.h"
+#include "core/base/result.h"
 #include "formats/color/color_profile.h"
 
 namespace pentimento {

@@ -6,7 +6,7 @@
 #include <memory>
 #include <span>
 
-#include "core/field.h"
+#include "core/base/field.h"
 
 namespace pentimento {
 

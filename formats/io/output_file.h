@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "core/result.h"
+#include "core/base/result.h"
 #include "formats/io/picture_file.h"
 #include "formats/io/sha256.h"
 

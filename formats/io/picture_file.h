@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/result.h"
+#include "core/base/result.h"
 #include "core/shading/picture.h"
 
 namespace pentimento {

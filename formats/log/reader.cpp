@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include "formats/log/event_parser.h"
-#include "formats/log/header_parser.h"
-#include "formats/log/json_line.h"
-#include "formats/log/json_scan.h"
-#include "formats/log/line_source.h"
-#include "formats/log/log_rules.h"
+#include "formats/log/json/json_line.h"
+#include "formats/log/json/json_scan.h"
+#include "formats/log/parse/event_parser.h"
+#include "formats/log/parse/header_parser.h"
+#include "formats/log/parse/log_rules.h"
+#include "formats/log/stream/line_source.h"
 
 namespace pentimento::log {
 

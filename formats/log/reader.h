@@ -10,8 +10,8 @@
 #include <optional>
 #include <string>
 
-#include "core/result.h"
-#include "formats/log/events.h"
+#include "core/base/result.h"
+#include "formats/log/tables/events.h"
 
 namespace pentimento::log {
 

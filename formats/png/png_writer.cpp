@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "core/threads.h"
+#include "core/base/threads.h"
 #include "formats/io/deflate.h"
 #include "formats/io/output_file.h"
 #include "formats/png/chunks.h"

@@ -3,10 +3,10 @@
 
 #include <string>
 
-#include "core/canvas_source.h"
+#include "core/base/result.h"
+#include "core/base/threads.h"
+#include "core/canvas/canvas_source.h"
 #include "core/optics/channels.h"
-#include "core/result.h"
-#include "core/threads.h"
 #include "formats/hdf5/state_dump.h"
 #include "formats/image/read_image.h"
 #include "replay/compare/comparison.h"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "formats/log/model_fields.h"
+#include "formats/log/tables/model_fields.h"
 #include "replay/compare/compare.h"
 #include "replay/compare/plane_difference.h"
 

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "core/field.h"
-#include "core/threads.h"
+#include "core/base/field.h"
+#include "core/base/threads.h"
 
 namespace pentimento {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/check.h"
+#include "core/base/check.h"
 #include "replay/compare/convolve.h"
 #include "replay/compare/flip_color.h"
 

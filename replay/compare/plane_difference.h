@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "core/field.h"
+#include "core/base/field.h"
 #include "replay/compare/comparison.h"
 
 namespace pentimento {

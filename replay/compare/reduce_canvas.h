@@ -1,9 +1,9 @@
 #pragma once
 // Planes of a canvas reduced by a whole factor, block by block, and never held whole before.
 
-#include "core/canvas_source.h"
-#include "core/field.h"
-#include "core/threads.h"
+#include "core/base/field.h"
+#include "core/base/threads.h"
+#include "core/canvas/canvas_source.h"
 
 namespace pentimento {
 

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "core/brush/brush_settings.h"
-#include "formats/log/events.h"
-#include "replay/brushes.h"
+#include "formats/log/tables/events.h"
+#include "replay/log/brushes.h"
 
 namespace pentimento {
 

@@ -6,7 +6,7 @@
 #include <variant>
 
 #include "core/brush/stamp.h"
-#include "formats/log/events.h"
+#include "formats/log/tables/events.h"
 
 namespace pentimento {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "formats/log/events.h"
+#include "formats/log/tables/events.h"
 #include "replay/timeline/cue.h"
 
 namespace pentimento {

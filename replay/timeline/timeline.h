@@ -11,12 +11,12 @@
 #include <memory>
 #include <optional>
 
-#include "core/result.h"
-#include "formats/log/events.h"
+#include "core/base/result.h"
 #include "formats/log/reader.h"
-#include "replay/brushes.h"
+#include "formats/log/tables/events.h"
+#include "replay/job/step_clock.h"
+#include "replay/log/brushes.h"
 #include "replay/timeline/cue.h"
-#include "replay/timeline/step_clock.h"
 #include "replay/timeline/undo.h"
 
 namespace pentimento {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/brush/stroke_path.h"
-#include "formats/log/events.h"
+#include "formats/log/tables/events.h"
 #include "replay/timeline/cue_queue.h"
 
 namespace pentimento {

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "formats/log/events.h"
+#include "formats/log/tables/events.h"
 
 namespace pentimento {
 

@@ -10,7 +10,7 @@
 #include <ctime>
 #include <string>
 
-#include "core/fluid/conservative/transport.h"
+#include "core/fluid/conservative/advection/transport.h"
 #include "tests/core/fluid/conservative/basin.h"
 
 namespace pentimento::conservative {

@@ -4,6 +4,8 @@
 
 #include <benchmark/benchmark.h>
 
+#include "core/base/approx.h"
+#include "core/base/random.h"
 #include "core/fluid/paper/depth.h"
 #include "core/fluid/paper/front.h"
 #include "core/fluid/paper/gravity.h"
@@ -15,8 +17,6 @@
 #include "core/fluid/paper/velocity_limits.h"
 #include "core/fluid/paper/viscosity.h"
 #include "core/fluid/rheology.h"
-#include "core/math/approx.h"
-#include "core/math/random.h"
 
 namespace pentimento::paper {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 // A follower that does nothing, for tests that look at one thing that followers are told.
 
-#include "core/canvas_follower.h"
+#include "core/simulation/canvas_follower.h"
 
 namespace pentimento::test {
 

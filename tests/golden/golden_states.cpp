@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "replay/render.h"
+#include "replay/commands/render.h"
 
 namespace pentimento {
 namespace {

@@ -58,8 +58,8 @@ class RecordsTest(unittest.TestCase):
 class OrderTest(unittest.TestCase):
     def test_the_nearest_test_is_asked_first(self):
         tests = [a_test("samples", "", ""), a_test("Log.Reads", "tests/formats/log/reader_test.cpp", "formats_tests"),
-                 a_test("Field.Slow", "tests/core/field_test.cpp", seconds=9), a_test("golden", "", ""),
-                 a_test("Field.Quick", "tests/core/field_test.cpp"),
+                 a_test("Field.Slow", "tests/core/base/field_test.cpp", seconds=9), a_test("golden", "", ""),
+                 a_test("Field.Quick", "tests/core/base/field_test.cpp"),
                  a_test("Reservoir.Empties", "tests/core/brush/reservoir_test.cpp"),
                  a_test("Tip.Prints", "tests/core/brush/tip_test.cpp")]
         asked = [[test.name for test in group] for group in mutate.rounds(tests, "core/brush/tip.cpp")]

@@ -6,11 +6,11 @@
 #include <bit>
 #include <string>
 
-#include "core/detail/detail_source.h"
+#include "core/detail/store/detail_source.h"
 #include "formats/hdf5/state_dump.h"
-#include "replay/changed_canvas.h"
-#include "replay/copies.h"
-#include "replay/lighting_track.h"
+#include "replay/play/changed_canvas.h"
+#include "replay/play/copies.h"
+#include "replay/play/lighting_track.h"
 #include "tests/core/detail/painted.h"
 #include "tests/core/three_pigments.h"
 #include "tests/formats/scratch.h"

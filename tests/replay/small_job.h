@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "formats/io/provenance.h"
-#include "replay/render.h"
+#include "replay/commands/render.h"
 #include "tests/cli/command_run.h"
 #include "tests/formats/scratch.h"
 

@@ -4,15 +4,15 @@
 #include <bit>
 #include <cstdint>
 
-#include "core/fluid/conservative/claim_cells.h"
+#include "core/base/kernel.h"
+#include "core/fluid/conservative/advection/face_row.h"
+#include "core/fluid/conservative/advection/transport.h"
 #include "core/fluid/conservative/contact_line.h"
-#include "core/fluid/conservative/face_row.h"
-#include "core/fluid/conservative/force_row.h"
-#include "core/fluid/conservative/height_row.h"
-#include "core/fluid/conservative/kernel.h"
-#include "core/fluid/conservative/settle_quanta.h"
-#include "core/fluid/conservative/transport.h"
-#include "core/fluid/conservative/viscous_row.h"
+#include "core/fluid/conservative/solve/force_row.h"
+#include "core/fluid/conservative/solve/height_row.h"
+#include "core/fluid/conservative/solve/viscous_row.h"
+#include "core/fluid/conservative/tiles/claim_cells.h"
+#include "core/fluid/conservative/tiles/settle_quanta.h"
 #include "core/fluid/rheology.h"
 
 namespace pentimento::conservative {

@@ -14,8 +14,8 @@
 #include <memory>
 #include <utility>
 
-#include "core/fluid/conservative/tiles.h"
-#include "core/fluid/conservative/workspace.h"
+#include "core/fluid/conservative/solve/workspace.h"
+#include "core/fluid/conservative/tiles/tiles.h"
 #include "core/fluid/scheme.h"
 
 namespace pentimento::conservative {

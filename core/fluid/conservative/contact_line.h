@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "core/field.h"
-#include "core/fluid/conservative/transport.h"
+#include "core/base/field.h"
+#include "core/fluid/conservative/advection/transport.h"
 
 namespace pentimento::conservative {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "core/field.h"
+#include "core/base/field.h"
 
 namespace pentimento::paper {
 

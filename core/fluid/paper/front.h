@@ -4,7 +4,7 @@
 // dies at its front. The paper is silent; so thin cells take the velocity of the thick film that
 // reaches them, a Neumann condition (A9) as wide as the film travels in the step.
 
-#include "core/canvas_state.h"
+#include "core/canvas/canvas_state.h"
 #include "core/fluid/paper/planes.h"
 #include "core/fluid/paper/step_constants.h"
 

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "core/field.h"
+#include "core/base/field.h"
 
 namespace pentimento::paper {
 

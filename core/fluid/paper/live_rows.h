@@ -4,10 +4,10 @@
 
 #include <vector>
 
-#include "core/canvas_state.h"
+#include "core/base/threads.h"
+#include "core/canvas/canvas_state.h"
 #include "core/fluid/brush_contact.h"
 #include "core/fluid/paper/grid_rows.h"
-#include "core/threads.h"
 
 namespace pentimento::paper {
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/canvas_state.h"
+#include "core/canvas/canvas_state.h"
 #include "core/fluid/paper/live_rows.h"
 
 namespace pentimento::paper {

@@ -1,5 +1,5 @@
 #pragma once
-#include "core/canvas_state.h"
+#include "core/canvas/canvas_state.h"
 #include "core/fluid/paper/grid_rows.h"
 #include "core/fluid/paper/step_constants.h"
 

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <span>
 
-#include "core/optics/viewing.h"
+#include "core/model/viewing.h"
 
 namespace pentimento {
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "core/math/approx.h"
+#include "core/base/approx.h"
 
 namespace pentimento {
 namespace {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/brush/tip_print.h"
-#include "core/optics/pigment_library.h"
-#include "core/simulation.h"
+#include "core/optics/paints/pigment_library.h"
+#include "core/simulation/simulation.h"
 #include "tests/core/idle_follower.h"
 
 namespace pentimento {

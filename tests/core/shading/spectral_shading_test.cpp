@@ -2,9 +2,9 @@
 
 #include <random>
 
-#include "core/drying.h"
 #include "core/optics/composite.h"
 #include "core/shading/shader.h"
+#include "core/simulation/drying.h"
 #include "tests/core/optics/spectral/library_mixtures.h"
 #include "tests/reference/whole_picture.h"
 

@@ -3,7 +3,7 @@
 
 #include <random>
 
-#include "core/fluid/conservative/tiles.h"
+#include "core/fluid/conservative/tiles/tiles.h"
 #include "formats/hdf5/state_dump.h"
 
 namespace pentimento::test {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/canvas_source.h"
+#include "core/canvas/canvas_source.h"
 #include "tests/formats/hdf5/made_up_dump.h"
 #include "tests/formats/scratch.h"
 

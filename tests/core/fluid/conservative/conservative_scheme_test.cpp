@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/fluid/conservative/transport.h"
+#include "core/fluid/conservative/advection/transport.h"
 #include "tests/core/fluid/analytic_case.h"
 #include "tests/core/fluid/conservative/basin.h"
 

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "core/fluid/conservative/transport.h"
+#include "core/fluid/conservative/advection/transport.h"
 #include "tests/core/fluid/conservative/basin.h"
 #include "tests/core/fluid/conservative/plain_paint.h"
 

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 
-#include "core/fluid/conservative/block.h"
-#include "core/fluid/conservative/crowd_limit.h"
-#include "core/fluid/conservative/layer_speed_row.h"
-#include "core/fluid/conservative/quantum.h"
-#include "core/fluid/conservative/transport.h"
+#include "core/fluid/conservative/advection/block.h"
+#include "core/fluid/conservative/advection/crowd_limit.h"
+#include "core/fluid/conservative/advection/layer_speed_row.h"
+#include "core/fluid/conservative/advection/transport.h"
+#include "core/fluid/conservative/tiles/quantum.h"
 
 namespace pentimento::conservative {
 // Everything one thread needs to move the paint of a block; buffers are kept between blocks.

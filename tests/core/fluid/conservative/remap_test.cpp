@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/fluid/conservative/crowd_limit.h"
-#include "core/fluid/conservative/quantum.h"
-#include "core/fluid/conservative/remap_momentum.h"
+#include "core/fluid/conservative/advection/crowd_limit.h"
+#include "core/fluid/conservative/advection/remap_momentum.h"
+#include "core/fluid/conservative/tiles/quantum.h"
 
 namespace pentimento::conservative {
 namespace {

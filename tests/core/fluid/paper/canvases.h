@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "core/base/random.h"
 #include "core/fluid/paper/paper_scheme.h"
-#include "core/math/random.h"
 
 namespace pentimento::paper {
 

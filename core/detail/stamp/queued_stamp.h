@@ -1,0 +1,62 @@
+#pragma once
+// A stamp of the guide as the detail canvas remembers it: all that it needs to do the stamp later,
+// when the guide has gone on.
+
+#include <cstdint>
+#include <vector>
+
+#include "core/brush/stamp_plan.h"
+#include "core/brush/tip_print.h"
+#include "core/detail/store/block_layers.h"
+#include "core/detail/store/detail_layout.h"
+
+namespace pentimento {
+
+/// What the stamp does to the layers of a block.
+struct BlockLayers {
+  LayerOpening opening;
+  bool opens = false;       // the guide opened its cell for the stroke
+  std::int8_t target = -1;  // the layer that takes the paint; -1: the guide laid none
+};
+
+class QueuedStamp {
+ public:
+  explicit QueuedStamp(int channels) : reservoir_(channels) {}
+
+  /// The guide has lifted: what it is about to lay into. `amount` as in LayerRow.
+  void lift(const StampPlan& plan, const CanvasState& guide, const DetailLayout& layout,
+            std::span<const float> amount);
+  /// The guide has laid.
+  void lay(const StampPlan& plan, const CanvasState& guide);
+
+  const StampPlan& plan() const { return plan_; }
+  const TipPrint& tip() const { return tip_; }
+  const HairTable& grip() const { return grip_; }
+  const HairTable& ends() const { return ends_; }
+  /// False: it only lifts.
+  bool lays() const { return lays_; }
+  /// The cells of the tip, and all of the blocks that the guide's stamp may touch.
+  const CellBox& cells() const { return cells_; }
+  /// The blocks of those cells.
+  const GuideBox& blocks() const { return blocks_; }
+  /// Of the blocks of row y of the guide, from blocks().x0 on.
+  std::span<const BlockLayers> layers_in(int y) const {
+    const auto width = static_cast<std::size_t>(blocks_.width());
+    return {layers_.data() + static_cast<std::size_t>(y - blocks_.y0) * width, width};
+  }
+  /// Whether it opens layers in a part of the guide.
+  bool opens_in(const GuideBox& part) const;
+
+ private:
+  StampPlan plan_;
+  PaintLoad load_;
+  Reservoir reservoir_;
+  HairTable grip_, ends_;
+  TipPrint tip_;
+  CellBox cells_;
+  GuideBox blocks_;
+  std::vector<BlockLayers> layers_;  // per block, row by row
+  bool lays_ = false;
+};
+
+}  // namespace pentimento

@@ -1,0 +1,90 @@
+#pragma once
+// One tile of the detail canvas. A plane exists only while it is needed: depth and pigments while
+// something is wet, reflectance once something has dried.
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "core/canvas/tile_store.h"
+#include "core/detail/store/block_layers.h"
+#include "core/detail/store/detail_layout.h"
+
+namespace pentimento {
+
+/// side x side floats of a TileStore, row by row; may be absent, which means zero (reflectance: the
+/// fresh ground). Move-only; gives its block back.
+class TilePlane {
+ public:
+  TilePlane() = default;
+  TilePlane(TilePlane&& other) noexcept { *this = std::move(other); }
+  TilePlane& operator=(TilePlane&& other) noexcept {
+    std::swap(store_, other.store_);
+    std::swap(block_, other.block_);
+    std::swap(data_, other.data_);
+    return *this;
+  }
+  ~TilePlane() { free(); }
+
+  explicit operator bool() const { return data_ != nullptr; }
+  float* data() { return data_; }
+  const float* data() const { return data_; }
+  /// Zero everywhere. Errors: those of the store; then the plane stays absent.
+  Result<void> allocate(TileStore& store) {
+    Result<TileStore::Block> block = store.allocate();
+    if (!block) return block.error();
+    free();
+    store_ = &store;
+    block_ = *block;
+    data_ = store.data(block_);
+    return {};
+  }
+  void free() {
+    if (data_ != nullptr) store_->free(block_);
+    data_ = nullptr;
+  }
+  /// Notes that the plane is in use now.
+  void touch() const {
+    if (data_ != nullptr) store_->touch(block_);
+  }
+
+ private:
+  TileStore* store_ = nullptr;
+  TileStore::Block block_ = 0;
+  float* data_ = nullptr;
+};
+
+/// Which fine cells have followed their guide cell in opening a layer for its stroke. A stroke's
+/// edge runs through blocks: cells that its tip does not touch keep their layers as they are.
+struct OpenCells {
+  std::vector<std::uint8_t> opened;   // per fine cell, side x side
+  std::vector<LayerOpening> opening;  // per block: what opening its cells does
+  std::vector<std::uint8_t> tangled;  // per block: layers no longer correspond to the guide's
+  bool empty() const { return opened.empty(); }
+};
+
+struct DetailTile {
+  DetailTile(int index, const GuideBox& covers, int planes) : tile(index), box(covers) {
+    pigment.resize(static_cast<std::size_t>(planes));
+  }
+  int tile;      // index in the layout
+  GuideBox box;  // of the guide
+  TilePlane depth_m;
+  std::vector<TilePlane> pigment;      // [layer * channels + channel]
+  OpenCells open;                      // empty: all are open
+  TilePlane base_m;                    // paper and dried paint
+  std::vector<TilePlane> reflectance;  // of the dry layer, per band; absent: fresh ground
+};
+
+/// A quantity that the lock and the transport work on: the depth, or a pigment plane.
+struct WetPlane {
+  int pigment = -1;  // [layer * channels + channel]; -1 is the depth
+  TilePlane& of(DetailTile& tile) const {
+    return pigment < 0 ? tile.depth_m : tile.pigment[static_cast<std::size_t>(pigment)];
+  }
+  const Field<float>& of(const CanvasState& guide) const {
+    return pigment < 0 ? guide.depth_m : guide.pigment[static_cast<std::size_t>(pigment)];
+  }
+};
+
+}  // namespace pentimento

@@ -1,0 +1,57 @@
+#include "replay/estimate/carried_paint.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace pentimento {
+
+namespace {
+// A stamp lays a fortieth of a film, some 4e-4 of an amount; less than half a quantum of it,
+// 1.2e-7, is rounded away (core/fluid/conservative/tiles/quantum.h).
+constexpr double kLeastShare = 3e-4;
+}  // namespace
+
+int CarriedPaint::band_of(float v) {
+  return std::clamp(static_cast<int>((v + 0.5f) * kBands), 0, kBands - 1);
+}
+
+void CarriedPaint::dip(std::uint32_t mask, double from, double to) {
+  const int begin = std::min(static_cast<int>(from * kBands), kBands - 1);
+  const int end = std::max(begin + 1, static_cast<int>(std::ceil(to * kBands)));
+  for (int band = begin; band < end; ++band) {
+    const auto b = static_cast<std::size_t>(band);
+    loaded_[b] = mask;
+    laid_[b] = loaded(band);
+    share_[b] = {};
+  }
+}
+
+void CarriedPaint::take(bool holds_load) {
+  holds_load_ = holds_load;
+  for (int band = 0; band < kBands; ++band) laid_[static_cast<std::size_t>(band)] = loaded(band);
+  share_ = {};
+}
+
+void CarriedPaint::Contact::add(int band, std::uint32_t mask) {
+  const auto b = static_cast<std::size_t>(band);
+  ++cells[b];
+  for (; mask != 0; mask &= mask - 1) ++met[b][static_cast<std::size_t>(std::countr_zero(mask))];
+}
+
+void CarriedPaint::pass(const Contact& contact, double pickup_frac, double refill_frac) {
+  for (int band = 0; band < kBands; ++band) {
+    const auto b = static_cast<std::size_t>(band);
+    if (contact.cells[b] == 0) continue;
+    laid_[b] = loaded(band);
+    for (std::size_t c = 0; c < kChannels; ++c) {
+      double& share = share_[b][c];
+      const double met = static_cast<double>(contact.met[b][c]) / contact.cells[b];
+      share += pickup_frac * met * (1 - share);
+      share *= 1 - refill_frac;
+      if (share > kLeastShare) laid_[b] |= std::uint32_t{1} << c;
+    }
+  }
+}
+
+}  // namespace pentimento

@@ -1,0 +1,22 @@
+#pragma once
+// What change_channels() does to a state, done to a finer canvas that is read part by part.
+
+#include <memory>
+
+#include "core/canvas/canvas_source.h"
+#include "core/detail/store/detail_notes.h"
+#include "core/optics/channels.h"
+#include "formats/hdf5/state_dump.h"
+
+namespace pentimento {
+
+/// The same paint in the channels of `basis`, which came from channels_after(); converted as it is
+/// read.
+std::shared_ptr<const CanvasSource> change_channels(std::shared_ptr<const CanvasSource> canvas,
+                                                    const ChannelBasis& old,
+                                                    const ChannelBasis& basis);
+
+/// The notes of `dump`, whose layers and basis they are in, for that canvas.
+DetailNotes change_channels(DetailNotes notes, const StateDump& dump, const ChannelBasis& basis);
+
+}  // namespace pentimento

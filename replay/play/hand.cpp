@@ -1,0 +1,91 @@
+#include "replay/play/hand.h"
+
+#include <array>
+#include <vector>
+
+#include "formats/image/read_image.h"
+#include "formats/image/resample.h"
+#include "formats/log/tables/model_fields.h"
+#include "formats/log/tables/slider_fields.h"
+
+namespace pentimento {
+
+Vec3f core_gravity(const log::Gravity& gravity) {
+  return {static_cast<float>(gravity.x_m_s2), static_cast<float>(-gravity.y_m_s2),
+          static_cast<float>(gravity.z_m_s2)};
+}
+
+Hand::Hand(Simulation& simulation, const HandInput& input)
+    : simulation_(simulation), input_(input) {
+  simulation_.set_gravity(input_.fixed_gravity.value_or(core_gravity({})));
+  simulation_.set_brush(input_.brushes.first());
+  simulation_.set_settings(settings_);
+  simulation_.set_color(input_.first_color);
+}
+
+Result<void> Hand::apply(const Cue& cue) {
+  if (const auto* stamp = std::get_if<StrokeStamp>(&cue.what)) {
+    simulation_.stamp(stamp->hand, stamp->stamp);
+  } else if (const auto* begin = std::get_if<StrokeBegin>(&cue.what)) {
+    simulation_.begin_stroke(begin->hand, begin->stroke_id);
+  } else if (const auto* end = std::get_if<StrokeEnd>(&cue.what)) {
+    simulation_.end_stroke(end->hand);
+  } else {
+    return act(std::get<log::Action>(cue.what));
+  }
+  return {};
+}
+
+Result<void> Hand::act(const log::Action& action) {
+  if (const auto* gravity = std::get_if<log::Gravity>(&action)) {
+    if (!input_.fixed_gravity) simulation_.set_gravity(core_gravity(*gravity));
+  } else if (const auto* slider = std::get_if<log::Slider>(&action)) {
+    slide(*slider);
+  } else if (const auto* color = std::get_if<log::Color>(&action)) {
+    dip(*color);
+  } else if (const auto* brush = std::get_if<log::BrushChange>(&action)) {
+    simulation_.set_brush(input_.brushes.find(brush->name));
+  } else if (std::holds_alternative<log::Dry>(action)) {
+    simulation_.dry();
+  } else if (std::holds_alternative<log::Clear>(action)) {
+    if (input_.fine_ground != nullptr) input_.fine_ground->clear();
+    simulation_.clear();
+  } else if (const auto* picture = std::get_if<log::Load>(&action)) {
+    return load(*picture);
+  }
+  return {};
+}
+
+void Hand::dip(const log::Color& color) {
+  const int pigment = input_.palette.find(color);
+  if (!color.across) return simulation_.set_color(pigment);
+  simulation_.set_color(pigment, static_cast<float>((*color.across)[0]),
+                        static_cast<float>((*color.across)[1]));
+}
+
+void Hand::slide(const log::Slider& slider) {
+  Model model = simulation_.model();
+  log::apply_slider(slider.name, slider.value, settings_, model);
+  if (log::find_model_field(slider.name) != nullptr) {
+    simulation_.set_model(model);
+  } else {
+    simulation_.set_settings(settings_);
+  }
+}
+
+Result<void> Hand::load(const log::Load& load) {
+  Result<std::string> path = input_.files.use(load.file);
+  if (!path) return path.error();
+  Result<std::array<Field<float>, 3>> rgb = read_rgb(*path);
+  if (!rgb) return rgb.error();
+  const CanvasGeometry& grid = simulation_.state().geometry;
+  std::array<Field<float>, 3> on_grid;
+  for (std::size_t c = 0; c < 3; ++c)
+    on_grid[c] = resample_to((*rgb)[c].view(), grid.width, grid.height);
+  // The finer canvas takes the picture at its own size.
+  if (input_.fine_ground != nullptr) input_.fine_ground->load(input_.maker.ground(*rgb));
+  simulation_.load(input_.maker.ground(on_grid));
+  return {};
+}
+
+}  // namespace pentimento
