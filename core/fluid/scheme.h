@@ -39,7 +39,4 @@ class FluidScheme {
   virtual std::vector<std::pair<std::string, double>> statistics() const { return {}; }
 };
 
-std::unique_ptr<FluidScheme> make_scheme(SchemeKind kind, const CanvasGeometry& geometry,
-                                         int layers, int channels);
-
 }  // namespace pentimento

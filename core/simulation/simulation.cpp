@@ -1,4 +1,5 @@
 #include "core/simulation/simulation.h"
+#include "core/simulation/make_scheme.h"
 
 #include <algorithm>
 #include <optional>

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "core/fluid/conservative/advection/transport.h"
+#include "core/simulation/make_scheme.h"
 #include "tests/core/fluid/conservative/basin.h"
 
 namespace pentimento::conservative {

@@ -6,7 +6,7 @@
 
 #include "core/base/approx.h"
 #include "core/base/random.h"
-#include "core/fluid/scheme.h"
+#include "core/simulation/make_scheme.h"
 
 namespace pentimento {
 namespace {

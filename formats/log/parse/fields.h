@@ -14,13 +14,9 @@
 #include "formats/log/json/json_line.h"
 #include "formats/log/tables/events.h"
 #include "formats/log/tables/parameter.h"
+#include "formats/log/tables/range.h"
 
 namespace pentimento::log {
-
-struct Range {
-  double min, max;
-  std::string_view unit = {};
-};
 
 class Fields {
  public:

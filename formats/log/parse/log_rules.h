@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "formats/log/reader.h"
+#include "formats/log/parse/reader_options.h"
 #include "formats/log/tables/events.h"
 
 namespace pentimento::log {

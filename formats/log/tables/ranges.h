@@ -2,7 +2,7 @@
 // The ranges of an action log's numbers, for its reader and its documentation. Generous: they keep
 // out what no session holds and what arithmetic could not bear.
 
-#include "formats/log/parse/fields.h"
+#include "formats/log/tables/range.h"
 
 namespace pentimento::log {
 

@@ -1,5 +1,6 @@
-#include "core/fluid/scheme.h"
+#include "core/simulation/make_scheme.h"
 
+#include "core/base/check.h"
 #include "core/fluid/conservative/conservative_scheme.h"
 #include "core/fluid/paper/paper_scheme.h"
 
