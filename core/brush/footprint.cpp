@@ -65,7 +65,7 @@ TipPose pose_of(const Stamp& stamp, const BrushDefinition& brush, float smallest
   return pose;
 }
 
-CellBox box_of(const TipPose& pose, const TipExtent& extent, const CanvasGeometry& geometry) {
+FootprintBox box_of(const TipPose& pose, const TipExtent& extent, const CanvasGeometry& geometry) {
   const double cell_x = geometry.width_m / geometry.width;
   const double cell_y = geometry.height_m / geometry.height;
   // Half the tip's rectangle, and the cell or so by which the bilinear tip fades out.
@@ -79,7 +79,7 @@ CellBox box_of(const TipPose& pose, const TipExtent& extent, const CanvasGeometr
   const int x1 = cell_at(pose.x_m + reach_x, cell_x, geometry.width) + 1;
   const int y0 = cell_at(pose.y_m - reach_y, cell_y, geometry.height);
   const int y1 = cell_at(pose.y_m + reach_y, cell_y, geometry.height) + 1;
-  CellBox box;
+  FootprintBox box;
   box.inside = x0 >= 0 && y0 >= 0 && x1 <= geometry.width && y1 <= geometry.height;
   box.x = std::max(x0, 0);
   box.y = std::max(y0, 0);
@@ -88,7 +88,8 @@ CellBox box_of(const TipPose& pose, const TipExtent& extent, const CanvasGeometr
   return box;
 }
 
-TipRow tip_row(const TipPose& pose, const CellBox& box, const CanvasGeometry& geometry, int y) {
+TipRow tip_row(const TipPose& pose, const FootprintBox& box, const CanvasGeometry& geometry,
+               int y) {
   const double cell_x = geometry.width_m / geometry.width;
   const double cell_y = geometry.height_m / geometry.height;
   const float dx = static_cast<float>((box.x + 0.5) * cell_x - pose.x_m);

@@ -25,12 +25,12 @@ struct TipPose {
 TipPose pose_of(const Stamp& stamp, const BrushDefinition& brush, float smallest_m);
 
 /// The cells [x, x + width) x [y, y + height) that the tip may touch, within the grid.
-struct CellBox {
+struct FootprintBox {
   int x = 0, y = 0, width = 0, height = 0;
   bool inside = false;  // nothing was cut off at the grid's border
   bool empty() const { return width <= 0 || height <= 0; }
 };
-CellBox box_of(const TipPose& pose, const TipExtent& extent, const CanvasGeometry& geometry);
+FootprintBox box_of(const TipPose& pose, const TipExtent& extent, const CanvasGeometry& geometry);
 
 /// Tip coordinates of the cell centre (x, y): those of x = 0, and the step per cell.
 struct TipRow {
@@ -39,6 +39,6 @@ struct TipRow {
   float v(int x) const { return v0 + dv * static_cast<float>(x); }
 };
 /// Row `y` of the grid, counted from the box's left edge.
-TipRow tip_row(const TipPose& pose, const CellBox& box, const CanvasGeometry& geometry, int y);
+TipRow tip_row(const TipPose& pose, const FootprintBox& box, const CanvasGeometry& geometry, int y);
 
 }  // namespace pentimento

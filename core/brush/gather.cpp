@@ -105,7 +105,7 @@ void spread(std::span<const float> paint, const Tip& tip, Reservoir& reservoir) 
 }
 }  // namespace
 
-void gather_lifted(const LiftedPaint& lifted, const TipPose& pose, const CellBox& box,
+void gather_lifted(const LiftedPaint& lifted, const TipPose& pose, const FootprintBox& box,
                    const CanvasGeometry& geometry, const Tip& tip, Reservoir& reservoir) {
   const int stride = lifted.stride;
   const float dx = geometry.dx_m(), dy = geometry.dy_m();

@@ -26,7 +26,7 @@ struct LiftedPaint {
 /// gains, per area, just what the canvas lost. The shares are geometry alone, equal for all
 /// components: the map is linear, and a mixture arrives as the same mixture whatever the channels
 /// mean (A26).
-void gather_lifted(const LiftedPaint& lifted, const TipPose& pose, const CellBox& box,
+void gather_lifted(const LiftedPaint& lifted, const TipPose& pose, const FootprintBox& box,
                    const CanvasGeometry& geometry, const Tip& tip, Reservoir& reservoir);
 
 }  // namespace pentimento

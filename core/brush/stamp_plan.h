@@ -26,10 +26,10 @@ struct StampPlan {
   const Reservoir* reservoir = nullptr;
   TipPose pose;
   TipExtent extent;
-  CellBox box;     // of the canvas that the stamp was planned on
-  int stride = 4;  // floats of paint per cell: height, channels, padding
-  TipState state;  // of the tip
-  float mean = 1;  // of the tip, pressed as it is, > 0
+  FootprintBox box;  // of the canvas that the stamp was planned on
+  int stride = 4;    // floats of paint per cell: height, channels, padding
+  TipState state;    // of the tip
+  float mean = 1;    // of the tip, pressed as it is, > 0
   float dry_m = 0;
   std::uint32_t stroke_id = 0;
   Lift lift;

@@ -199,7 +199,7 @@ bool Transfer::find_share_scale(StampPlan& plan) const {
   return true;
 }
 
-void Transfer::prepare(const CellBox& box, int stride) {
+void Transfer::prepare(const FootprintBox& box, int stride) {
   const std::size_t cells =
       static_cast<std::size_t>(box.width) * static_cast<std::size_t>(box.height);
   const std::size_t rows = static_cast<std::size_t>(box.height);

@@ -81,7 +81,7 @@ class Transfer {
   void lift_rows(const StampPlan& plan, int begin, int end);
   void lay_rows(const StampPlan& plan, int begin, int end);
   void for_rows(const StampPlan& plan, void (Transfer::*pass)(const StampPlan&, int, int));
-  void prepare(const CellBox& box, int stride);
+  void prepare(const FootprintBox& box, int stride);
   void find_heights(const BrushInHand& hand, StampPlan& plan) const;
   void place(const Stamp& stamp, const BrushInHand& hand, const Reservoir& reservoir,
              StampPlan& plan) const;

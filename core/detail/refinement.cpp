@@ -42,7 +42,7 @@ Refinement::Refinement(RefinementSetup setup, const DetailGround& ground, TileSt
 
 void Refinement::lay(const StampPlan& plan, const CanvasState& guide) {
   stamp_.lift(plan, guide);
-  const GuideBox& box = stamp_.box();
+  const CellBox& box = stamp_.box();
   changed_.add({box.x0 - 1, box.x1 + 1, box.y0 - 1, box.y1 + 1});
   left_.stamped(box, plan.stamp.direction);
 }
@@ -60,9 +60,9 @@ void Refinement::moved(const CanvasState& guide, const StepInput& in,
   if (tiles.empty()) return;
   for (const int t : tiles) canvas_.cover(t, guide, moving_.box(t));
   const MoveDetail move{in.model.pigment_residue, setup_.amount};
-  const LineAxis first = edges_.x_first ? LineAxis::kX : LineAxis::kY;
-  const LineAxis second = edges_.x_first ? LineAxis::kY : LineAxis::kX;
-  for (const LineAxis axis : {first, second})
+  const Axis first = edges_.x_first ? Axis::kX : Axis::kY;
+  const Axis second = edges_.x_first ? Axis::kY : Axis::kX;
+  for (const Axis axis : {first, second})
     move_detail(canvas_, edges_, axis, moving_, move, threads_);
   level_detail(canvas_, guide, edges_, in, moving_);
   for (const BlockStrip& strip : moving_.strips()) changed_.add(strip.y, strip.x0, strip.x1);
@@ -91,7 +91,7 @@ void Refinement::stepped(const CanvasState& guide, const StepInput& in) {
 
 /// Cells around the brush: the guide has rounded them all to whole quanta.
 void Refinement::add_settled(const StepInput& in) {
-  const conservative::CellBox box = conservative::settled_box(in.contact);
+  const CellBox box = conservative::settled_box(in.contact);
   if (!box.empty()) changed_.add({box.x0, box.x1, box.y0, box.y1});
 }
 

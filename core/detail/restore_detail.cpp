@@ -20,7 +20,7 @@ void enlarge(const Field<float>& guide, DetailCanvas& canvas, const DetailTile& 
         block_row(plane.data(), canvas.layout(), {tile.tile, y, tile.box.x0, tile.box.x1}), mean);
 }
 
-bool has_dried(const CanvasState& guide, const GuideBox& box) {
+bool has_dried(const CanvasState& guide, const CellBox& box) {
   for (int y = box.y0; y < box.y1; ++y)
     for (int x = box.x0; x < box.x1; ++x)
       if (guide.base_m(x, y) != guide.paper_m(x, y)) return true;

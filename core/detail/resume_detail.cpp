@@ -49,7 +49,7 @@ class Resumption {
 /// Whether the guide shows something else than the ground: a picture that was loaded, which the
 /// ground does not remember.
 bool hides_ground(const DetailCanvas& canvas, const CanvasState& guide, int tile) {
-  const GuideBox box = canvas.layout().box(tile);
+  const CellBox box = canvas.layout().box(tile);
   const int k = canvas.layout().factor();
   std::vector<float> ground(static_cast<std::size_t>(box.width() * k));
   for (int band = 0; band < canvas.bands(); ++band)

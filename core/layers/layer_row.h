@@ -7,11 +7,10 @@
 #include <vector>
 
 #include "core/canvas/canvas_state.h"
+#include "core/model/model.h"
 #include "core/optics/composite.h"
 
 namespace pentimento {
-
-inline constexpr int kMaxLayers = 8;
 
 struct LayerRow {
   std::span<float* const> plane;  // [layer * channels + channel]

@@ -11,9 +11,12 @@ enum class SchemeKind { kPaper, kConservative };
 /// What optical thickness follows (A28): the amount of pigment, or the depth of the film.
 enum class OpticalThickness { kAmount, kDepth };
 
+/// Paint layers of a cell at most: kernels keep that many on their stacks.
+inline constexpr int kMaxLayers = 8;
+
 struct Model {
   SchemeKind scheme = SchemeKind::kConservative;
-  int layers = 2;                        // 1..8
+  int layers = 2;                        // 1..kMaxLayers
   float nu_min_m2_s = 1e-6f;             // viscosity at theta <= alpha
   float nu_max_m2_s = 1e-2f;             // viscosity at theta >= beta
   float max_pigment = 1.0f;              // full pigment slider

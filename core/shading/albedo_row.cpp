@@ -7,6 +7,7 @@
 #include "core/base/check.h"
 #include "core/base/kernel.h"
 #include "core/base/row_exp.h"
+#include "core/model/model.h"
 #include "core/optics/spectral/band_weights.h"
 
 namespace pentimento {
@@ -15,7 +16,6 @@ namespace {
 /// Cells that are computed together: their sums stay in the nearest cache.
 constexpr std::size_t kChunk = 256;
 using Chunk = std::array<float, kChunk>;
-constexpr std::size_t kMostLayers = 8;
 
 PENTIMENTO_KERNEL
 void add_scaled(const float* amount, float share, std::size_t n, float* total) {
@@ -95,7 +95,7 @@ class Layers {
     const auto channels = static_cast<std::size_t>(optics.paint.amount.size());
     Chunk occupied;
     occupied.fill(0);
-    std::array<Chunk, kMostLayers> totals;
+    std::array<Chunk, kMaxLayers> totals;
     for (std::size_t first = 0; first < cells.amount.size(); first += channels) {
       Chunk& total = totals[count_];
       total.fill(0);
@@ -141,7 +141,7 @@ class Layers {
   const AlbedoCells& cells_;
   std::size_t x0_, n_;
   std::size_t count_ = 0;
-  std::array<Layer, kMostLayers> layers_;
+  std::array<Layer, kMaxLayers> layers_;
   Chunk K_, S_;
 };
 
@@ -158,7 +158,8 @@ AlbedoOptics make_albedo_optics(const ChannelBasis& basis, const Model& model) {
 void albedo_row(const AlbedoOptics& optics, const AlbedoCells& cells, std::span<float> texels) {
   const std::size_t width = cells.depth_m.size();
   const auto channels = static_cast<std::size_t>(optics.paint.amount.size());
-  PENTIMENTO_CHECK(texels.size() == 4 * width && cells.amount.size() <= kMostLayers * channels);
+  PENTIMENTO_CHECK(texels.size() == 4 * width &&
+                   cells.amount.size() <= static_cast<std::size_t>(kMaxLayers) * channels);
   PENTIMENTO_CHECK(static_cast<Eigen::Index>(cells.dry.size()) == optics.rgb.cols());
   Chunk R, red, green, blue;
   for (std::size_t x0 = 0; x0 < width; x0 += kChunk) {

@@ -1,5 +1,4 @@
 #include "core/simulation/simulation.h"
-#include "core/simulation/make_scheme.h"
 
 #include <algorithm>
 #include <optional>
@@ -9,6 +8,7 @@
 #include "core/brush/tip_rack.h"
 #include "core/brush/transfer.h"
 #include "core/simulation/drying.h"
+#include "core/simulation/make_scheme.h"
 
 namespace pentimento {
 

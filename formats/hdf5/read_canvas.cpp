@@ -16,7 +16,6 @@ namespace {
 
 using Shape = std::vector<std::uint64_t>;
 
-constexpr std::uint64_t kMostLayers = 8;
 constexpr std::uint64_t kMostSide = 65536;  // of the reflected picture
 constexpr std::uint64_t kMostPlanes = std::uint64_t{1} << 28;
 constexpr std::uint64_t kBlockValues = std::uint64_t{1} << 20;  // read at once
@@ -108,8 +107,8 @@ Result<CanvasShape> canvas_shape(const CanvasGroup& from, const ShapeLimits& lim
     return Error{
         ErrorCode::kLimit,
         fmt::format("{}: {} x {} cells in {} planes is more than is read", path, nx, ny, planes)};
-  if (layers < 1 || layers > kMostLayers)
-    return bad(path, fmt::format("{} layers, must be 1 to {}", layers, kMostLayers));
+  if (layers < 1 || layers > kMaxLayers)
+    return bad(path, fmt::format("{} layers, must be 1 to {}", layers, kMaxLayers));
   if ((*bands)[2] < 1) return bad(path, group + "/canvas/reflectance has no bands");
   const CanvasShape shape = {static_cast<int>(nx), static_cast<int>(ny), static_cast<int>(layers),
                              static_cast<int>(channels), static_cast<int>((*bands)[2])};

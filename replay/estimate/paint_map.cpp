@@ -41,7 +41,7 @@ CarriedPaint::Contact PaintMap::lay(const Laying& laying) {
   CarriedPaint::Contact contact;
   const TipPose& pose = laying.pose;
   const Tip& tip = laying.tip;
-  const CellBox box = box_of(pose, tip.extent(), grid_);
+  const FootprintBox box = box_of(pose, tip.extent(), grid_);
   if (box.empty()) return contact;
   const TipLevel& level = tip.level_for(grid_.dx_m() / pose.diameter_m);
   std::uint32_t touched = 0;
@@ -124,7 +124,7 @@ void PaintMap::measure() {
   survey_.tiles = std::max(survey_.tiles, used);
 }
 
-std::int64_t PaintMap::tile_bytes(const GuideBox& box) const {
+std::int64_t PaintMap::tile_bytes(const CellBox& box) const {
   std::vector<std::uint32_t> rows;  // channels that are wet in it, row by row for each layer
   bool dried = false;
   for (int layer = 0; layer < layers_; ++layer)

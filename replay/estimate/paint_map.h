@@ -60,7 +60,7 @@ class PaintMap {
   void account(std::int64_t step);
   void run_down();
   void measure();
-  std::int64_t tile_bytes(const GuideBox& box) const;
+  std::int64_t tile_bytes(const CellBox& box) const;
   std::int64_t written_bytes(std::span<const std::uint32_t> rows, std::uint32_t mask) const;
 
   CanvasGeometry grid_;

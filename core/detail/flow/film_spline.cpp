@@ -55,7 +55,7 @@ constexpr std::array<SplineTaps, 4> kPoints = {spline_taps(-0.375f), spline_taps
                                                spline_taps(0.125f), spline_taps(0.375f)};
 }  // namespace
 
-FilmSpline::FilmSpline(const Field<float>& plane, const GuideBox& box)
+FilmSpline::FilmSpline(const Field<float>& plane, const CellBox& box)
     : x0_(box.x0 - kAround),
       y0_(box.y0 - kAround),
       width_(box.width() + 2 * kAround),

@@ -27,7 +27,7 @@ namespace pentimento {
 class FilmSpline {
  public:
   static constexpr int kMargin = TileNeighbourhood::kMargin;  // cells with coefficients around it
-  FilmSpline(const Field<float>& plane, const GuideBox& box);
+  FilmSpline(const Field<float>& plane, const CellBox& box);
   /// Cells at most kMargin outside the box; beyond the canvas they repeat its outermost.
   float fill(int x, int y) const { return fill_[at(x, y)]; }
   float film(int x, int y) const { return film_[at(x, y)]; }

@@ -38,7 +38,7 @@ class TileLeveller {
     if (!tile.depth_m || !tile.base_m) return;
     TileNeighbourhood rates(tile.box, guide_.geometry.width, guide_.geometry.height);
     rates.fill([&](int x, int y) { return rate_at(x, y); });
-    for (const GuideBox& box : boxes_that_level(tile, rates)) level_box(tile, rates, box);
+    for (const CellBox& box : boxes_that_level(tile, rates)) level_box(tile, rates, box);
   }
 
  private:
@@ -77,23 +77,23 @@ class TileLeveller {
 
   /// Columns of the tile's blocks that have something that levels around them, side by side, and of
   /// those the rows: drips far apart are levelled each by itself.
-  std::vector<GuideBox> boxes_that_level(const DetailTile& tile, const TileNeighbourhood& rates) {
-    std::vector<GuideBox> boxes;
-    const GuideBox& all = tile.box;
+  std::vector<CellBox> boxes_that_level(const DetailTile& tile, const TileNeighbourhood& rates) {
+    std::vector<CellBox> boxes;
+    const CellBox& all = tile.box;
     for (int x = all.x0 - kReach; x < all.x1 + kReach; ++x)
       for (int y = all.y0 - kReach; y < all.y1 + kReach; ++y) {
         if (rates.at(x, y) == 0) continue;
-        const GuideBox around = {std::max(x - kReach, all.x0), std::min(x + kReach + 1, all.x1),
-                                 std::max(y - kReach, all.y0), std::min(y + kReach + 1, all.y1)};
+        const CellBox around = {std::max(x - kReach, all.x0), std::min(x + kReach + 1, all.x1),
+                                std::max(y - kReach, all.y0), std::min(y + kReach + 1, all.y1)};
         if (boxes.empty() || boxes.back().x1 <= around.x0) boxes.push_back(around);
-        GuideBox& box = boxes.back();
+        CellBox& box = boxes.back();
         box = {std::min(box.x0, around.x0), std::max(box.x1, around.x1),
                std::min(box.y0, around.y0), std::max(box.y1, around.y1)};
       }
     return boxes;
   }
 
-  void level_box(DetailTile& tile, const TileNeighbourhood& rates, const GuideBox& box) {
+  void level_box(DetailTile& tile, const TileNeighbourhood& rates, const CellBox& box) {
     box_ = box;
     smooth([&](int x, int y) { return rates.at(x, y); }, rate_);
     spare_dry_blocks();
@@ -162,7 +162,7 @@ class TileLeveller {
   const StepInput& in_;
   Rheology rheology_;
   float gravity_m_s2_;
-  GuideBox box_;  // being levelled
+  CellBox box_;  // being levelled
   std::vector<float> rate_, wet_, depth_, plain_depth_, base_, before_, amount_, stain_;
 };
 }  // namespace

@@ -69,16 +69,16 @@ class LineMover {
 
   /// Rows of the guide before the run's first, and from it to the guide's last: edges are read
   /// beyond the run.
-  int before_run() const { return run_->axis == LineAxis::kX ? run_->box.y0 : run_->box.x0; }
+  int before_run() const { return run_->axis == Axis::kX ? run_->box.y0 : run_->box.x0; }
   int behind_run() const {
     const CanvasGeometry& g = canvas_.layout().guide();
-    return (run_->axis == LineAxis::kX ? g.height : g.width) - before_run();
+    return (run_->axis == Axis::kX ? g.height : g.width) - before_run();
   }
 
   void read_edges(int across, std::vector<float>& out) const {
     const std::size_t blocks = at(run_->length());
     out.assign(blocks + 1, 0.0f);
-    if (run_->axis == LineAxis::kX) {
+    if (run_->axis == Axis::kX) {
       const float* row = edges_.x[0].row(run_->box.y0 + across) + run_->box.x0;
       std::copy_n(row, blocks - 1, out.begin() + 1);
     } else {
@@ -163,8 +163,8 @@ struct LineTask {
 LineTask moving_lines(const TileRun& run, const ChangedBlocks& moving, int factor) {
   int first = run.breadth(), last = 0;
   for (const int tile : run.tiles) {
-    const GuideBox box = moving.box(tile);
-    const bool along_x = run.axis == LineAxis::kX;
+    const CellBox box = moving.box(tile);
+    const bool along_x = run.axis == Axis::kX;
     first = std::min(first, along_x ? box.y0 - run.box.y0 : box.x0 - run.box.x0);
     last = std::max(last, along_x ? box.y1 - run.box.y0 : box.x1 - run.box.x0);
   }
@@ -172,7 +172,7 @@ LineTask moving_lines(const TileRun& run, const ChangedBlocks& moving, int facto
 }
 }  // namespace
 
-void move_detail(DetailCanvas& canvas, const PaintEdges& edges, LineAxis axis,
+void move_detail(DetailCanvas& canvas, const PaintEdges& edges, Axis axis,
                  const ChangedBlocks& moving, const MoveDetail& move, const Threads& threads) {
   const std::vector<TileRun> runs = runs_of(canvas.layout(), moving, axis);
   std::vector<LineTask> tasks;

@@ -22,7 +22,7 @@ struct MoveDetail {
 /// no further than between edges that move. (Layer by layer, with the guide's edges of each, fine
 /// paint is torn apart where guide cells with one layer and with two lie side by side; the lock
 /// brings each layer's share back.)
-void move_detail(DetailCanvas& canvas, const PaintEdges& edges, LineAxis axis,
+void move_detail(DetailCanvas& canvas, const PaintEdges& edges, Axis axis,
                  const ChangedBlocks& moving, const MoveDetail& move, const Threads& threads);
 
 }  // namespace pentimento

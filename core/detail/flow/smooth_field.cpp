@@ -21,7 +21,7 @@ void combine_rows(const std::array<const float*, 4>& row, const std::array<float
 }
 }  // namespace
 
-TileNeighbourhood::TileNeighbourhood(const GuideBox& box, int guide_width, int guide_height)
+TileNeighbourhood::TileNeighbourhood(const CellBox& box, int guide_width, int guide_height)
     : box_(box),
       guide_width_(guide_width),
       guide_height_(guide_height),

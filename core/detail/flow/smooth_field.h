@@ -35,7 +35,7 @@ class TileNeighbourhood {
  public:
   static constexpr int kMargin = 2;
   /// Cells beyond the canvas repeat its outermost.
-  TileNeighbourhood(const GuideBox& box, int guide_width, int guide_height);
+  TileNeighbourhood(const CellBox& box, int guide_width, int guide_height);
   /// Sets every value to value_at(x, y) of the guide.
   void fill(const std::function<float(int, int)>& value_at);
   /// Of the guide cell (x, y), at most kMargin outside the box.
@@ -52,7 +52,7 @@ class TileNeighbourhood {
   void smooth(int factor, float* out, std::ptrdiff_t stride) const;
 
  private:
-  GuideBox box_;
+  CellBox box_;
   int guide_width_, guide_height_;
   int x0_, y0_, width_, height_;
   std::vector<float> value_;

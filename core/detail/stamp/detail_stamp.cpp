@@ -25,9 +25,9 @@ void DetailStamp::lift(const StampPlan& plan, const CanvasState& guide) {
 void DetailStamp::lay(const StampPlan& plan, const CanvasState& guide) {
   QueuedStamp& stamp = *stamps_[used_ - 1];
   stamp.lay(plan, guide);
-  const GuideBox& blocks = stamp.blocks();
+  const CellBox& blocks = stamp.blocks();
   for_tiles(blocks, [&](int tile) {
-    const GuideBox box = canvas_.layout().box(tile);
+    const CellBox box = canvas_.layout().box(tile);
     canvas_.cover(tile, guide,
                   {std::max(box.x0, blocks.x0), std::min(box.x1, blocks.x1),
                    std::max(box.y0, blocks.y0), std::min(box.y1, blocks.y1)});
@@ -36,7 +36,7 @@ void DetailStamp::lay(const StampPlan& plan, const CanvasState& guide) {
 
 /// Calls body(tile) for the tiles that have a part of `blocks`.
 template <typename Body>
-void DetailStamp::for_tiles(const GuideBox& blocks, const Body& body) const {
+void DetailStamp::for_tiles(const CellBox& blocks, const Body& body) const {
   const DetailLayout& layout = canvas_.layout();
   const int side = layout.blocks();
   if (blocks.x0 >= blocks.x1) return;
@@ -75,7 +75,7 @@ std::vector<DetailStamp::Band> DetailStamp::list_bands(const std::vector<TileWor
   const int rows = std::max(1, kBandRows / layout.factor());
   std::vector<Band> bands;
   for (const TileWork& work : works) {
-    const GuideBox box = layout.box(work.tile);
+    const CellBox box = layout.box(work.tile);
     for (int y = box.y0; y < box.y1; y += rows) {
       const int y1 = std::min(y + rows, box.y1);
       const bool touched =

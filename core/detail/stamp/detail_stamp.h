@@ -27,7 +27,7 @@ class DetailStamp {
   /// Forgets them.
   void forget() { used_ = 0; }
   /// Cells of the guide under the last stamp.
-  const GuideBox& box() const { return stamps_[used_ - 1]->blocks(); }
+  const CellBox& box() const { return stamps_[used_ - 1]->blocks(); }
 
  private:
   /// The stamps that touch a tile.
@@ -42,7 +42,7 @@ class DetailStamp {
     int y0, y1;
   };
   template <typename Body>
-  void for_tiles(const GuideBox& blocks, const Body& body) const;
+  void for_tiles(const CellBox& blocks, const Body& body) const;
   std::vector<TileWork> list_work() const;
   bool prepare(TileWork& work);
   std::vector<Band> list_bands(const std::vector<TileWork>& works) const;

@@ -6,8 +6,8 @@
 namespace pentimento {
 
 namespace {
-CellBox cells_of(const StampPlan& plan, const CanvasGeometry& fine, int factor) {
-  CellBox box = box_of(plan.pose, plan.extent, fine);
+FootprintBox cells_of(const StampPlan& plan, const CanvasGeometry& fine, int factor) {
+  FootprintBox box = box_of(plan.pose, plan.extent, fine);
   const int x1 = std::max(box.x + box.width, (plan.box.x + plan.box.width) * factor);
   const int y1 = std::max(box.y + box.height, (plan.box.y + plan.box.height) * factor);
   box.x = std::min(box.x, plan.box.x * factor);
@@ -32,7 +32,7 @@ void find_totals(const CanvasState& guide, std::span<const float> amount, int x,
 
 /// `body` for each block, with its cell of the guide.
 template <typename Body>
-void for_blocks(const GuideBox& blocks, std::vector<BlockLayers>& layers, const Body& body) {
+void for_blocks(const CellBox& blocks, std::vector<BlockLayers>& layers, const Body& body) {
   std::size_t i = 0;
   for (int y = blocks.y0; y < blocks.y1; ++y)
     for (int x = blocks.x0; x < blocks.x1; ++x) body(x, y, layers[i++]);
@@ -81,7 +81,7 @@ void QueuedStamp::lay(const StampPlan& plan, const CanvasState& guide) {
   });
 }
 
-bool QueuedStamp::opens_in(const GuideBox& part) const {
+bool QueuedStamp::opens_in(const CellBox& part) const {
   if (!lays_) return false;
   const int x0 = std::max(part.x0, blocks_.x0), x1 = std::min(part.x1, blocks_.x1);
   for (int y = std::max(part.y0, blocks_.y0); y < std::min(part.y1, blocks_.y1); ++y)

@@ -36,16 +36,16 @@ class QueuedStamp {
   /// False: it only lifts.
   bool lays() const { return lays_; }
   /// The cells of the tip, and all of the blocks that the guide's stamp may touch.
-  const CellBox& cells() const { return cells_; }
+  const FootprintBox& cells() const { return cells_; }
   /// The blocks of those cells.
-  const GuideBox& blocks() const { return blocks_; }
+  const CellBox& blocks() const { return blocks_; }
   /// Of the blocks of row y of the guide, from blocks().x0 on.
   std::span<const BlockLayers> layers_in(int y) const {
     const auto width = static_cast<std::size_t>(blocks_.width());
     return {layers_.data() + static_cast<std::size_t>(y - blocks_.y0) * width, width};
   }
   /// Whether it opens layers in a part of the guide.
-  bool opens_in(const GuideBox& part) const;
+  bool opens_in(const CellBox& part) const;
 
  private:
   StampPlan plan_;
@@ -53,8 +53,8 @@ class QueuedStamp {
   Reservoir reservoir_;
   HairTable grip_, ends_;
   TipPrint tip_;
-  CellBox cells_;
-  GuideBox blocks_;
+  FootprintBox cells_;
+  CellBox blocks_;
   std::vector<BlockLayers> layers_;  // per block, row by row
   bool lays_ = false;
 };

@@ -110,7 +110,7 @@ LayerRow StampBand::row(int y, int begin) const {
 }
 
 void StampBand::apply(const QueuedStamp& stamp) {
-  const CellBox& cells = stamp.cells();
+  const FootprintBox& cells = stamp.cells();
   const int k = canvas_.layout().factor();
   const int y0 = std::max(y0_, cells.y), y1 = std::min(y1_, cells.y + cells.height);
   for (int y = y0; y < y1; ++y) {
@@ -121,7 +121,7 @@ void StampBand::apply(const QueuedStamp& stamp) {
 
 /// In blocks that the guide has just opened every cell waits to be touched.
 void StampBand::open_blocks(const QueuedStamp& stamp, int block_y) {
-  const GuideBox& blocks = stamp.blocks();
+  const CellBox& blocks = stamp.blocks();
   const std::span<const BlockLayers> layers = stamp.layers_in(block_y);
   const int first = std::max(blocks.x0, tile_->box.x0), last = std::min(blocks.x1, tile_->box.x1);
   for (int x = first; x < last; ++x) {
@@ -147,7 +147,7 @@ void StampBand::do_row(const QueuedStamp& stamp, int y) {
 /// The tip's value, its hold and the levelled share of each touched cell, before anything is
 /// lifted.
 StampBand::Cells StampBand::measure(const QueuedStamp& stamp, int y) {
-  const CellBox& box = stamp.cells();
+  const FootprintBox& box = stamp.cells();
   const int side = canvas_.layout().side();
   Cells touched{std::max(box.x, x0_) - x0_, std::min(box.x + box.width, x1_) - x0_};
   if (touched.empty()) return touched;

@@ -27,13 +27,13 @@ void ChangedBlocks::add(int y, int x0, int x1) {
   }
 }
 
-void ChangedBlocks::add(const GuideBox& box) {
+void ChangedBlocks::add(const CellBox& box) {
   for (int y = box.y0; y < box.y1; ++y) add(y, box.x0, box.x1);
 }
 
 void ChangedBlocks::clear() {
   for (const int tile : listed_) {
-    const GuideBox box = layout_.box(tile);
+    const CellBox box = layout_.box(tile);
     const std::size_t first = static_cast<std::size_t>(tile % layout_.columns()) *
                               static_cast<std::size_t>(layout_.guide().height);
     std::fill(span_.begin() + static_cast<std::ptrdiff_t>(first) + box.y0,
@@ -52,7 +52,7 @@ std::vector<int> ChangedBlocks::tiles() const {
 std::vector<BlockStrip> ChangedBlocks::strips() const {
   std::vector<BlockStrip> strips;
   for (const int tile : tiles()) {
-    const GuideBox box = layout_.box(tile);
+    const CellBox box = layout_.box(tile);
     for (int y = box.y0; y < box.y1; ++y) {
       const Span& s = span(tile % layout_.columns(), y);
       if (s.x1 != 0) strips.push_back({tile, y, s.x0, s.x1});
@@ -61,9 +61,9 @@ std::vector<BlockStrip> ChangedBlocks::strips() const {
   return strips;
 }
 
-GuideBox ChangedBlocks::box(int tile) const {
-  const GuideBox whole = layout_.box(tile);
-  GuideBox box{whole.x1, whole.x0, whole.y1, whole.y0};
+CellBox ChangedBlocks::box(int tile) const {
+  const CellBox whole = layout_.box(tile);
+  CellBox box{whole.x1, whole.x0, whole.y1, whole.y0};
   for (int y = whole.y0; y < whole.y1; ++y) {
     const Span& s = span(tile % layout_.columns(), y);
     if (s.x1 == 0) continue;

@@ -24,7 +24,7 @@ class ChangedBlocks {
   /// Adds guide cells [x0, x1) of row y; what lies beyond the canvas is cut off. Between two parts
   /// added to the same row of a tile everything counts as changed.
   void add(int y, int x0, int x1);
-  void add(const GuideBox& box);
+  void add(const CellBox& box);
   void clear();
 
   bool empty() const { return listed_.empty(); }
@@ -34,7 +34,7 @@ class ChangedBlocks {
   /// Tile by tile, ascending, row by row.
   std::vector<BlockStrip> strips() const;
   /// What strips() has of one tile, as the smallest box around it.
-  GuideBox box(int tile) const;
+  CellBox box(int tile) const;
 
  private:
   struct Span {

@@ -17,7 +17,7 @@ bool any_in(const TilePlane& plane, const DetailLayout& layout) {
 }
 }  // namespace
 
-bool any_in(const Field<float>& plane, const GuideBox& box) {
+bool any_in(const Field<float>& plane, const CellBox& box) {
   for (int y = box.y0; y < box.y1; ++y) {
     const float* row = plane.row(y);
     for (int x = box.x0; x < box.x1; ++x)
@@ -31,7 +31,7 @@ DetailTile& DetailCanvas::at(int tile) {
   if (slot) return *slot;
   slot = std::make_unique<DetailTile>(tile, layout_.box(tile), layers_ * channels_);
   const int side = layout_.side(), k = layout_.factor();
-  const GuideBox& box = slot->box;
+  const CellBox& box = slot->box;
   if (!make(slot->base_m)) return *slot;
   for (int y = 0; y < box.height() * k; ++y)
     ground_.relief_row(box.x0 * k, box.y0 * k + y,
@@ -61,7 +61,7 @@ void DetailCanvas::clear() {
   for (auto& tile : tile_) tile.reset();
 }
 
-void DetailCanvas::cover(int tile, const CanvasState& guide, const GuideBox& box) {
+void DetailCanvas::cover(int tile, const CanvasState& guide, const CellBox& box) {
   for_wet_planes(layers_ * channels_, [&](const WetPlane& q) {
     if (DetailTile* made = find(tile); made != nullptr && q.of(*made)) return;
     if (any_in(q.of(guide), box)) make(q.of(at(tile)));

@@ -41,7 +41,7 @@ class DetailCanvas {
 
   /// The tile has a plane for everything that the guide has in it, or in the part `box` of it.
   void cover(int tile, const CanvasState& guide) { cover(tile, guide, layout_.box(tile)); }
-  void cover(int tile, const CanvasState& guide, const GuideBox& box);
+  void cover(int tile, const CanvasState& guide, const CellBox& box);
   /// Gives `plane` memory, zero everywhere. False if there is none: problem() says why from then
   /// on, and the canvas shows less than was painted. From any thread.
   bool make(TilePlane& plane);
@@ -68,6 +68,6 @@ class DetailCanvas {
 };
 
 /// Whether the guide has any of the quantity in the box.
-bool any_in(const Field<float>& plane, const GuideBox& box);
+bool any_in(const Field<float>& plane, const CellBox& box);
 
 }  // namespace pentimento

@@ -6,18 +6,12 @@
 
 #include "core/base/check.h"
 #include "core/canvas/canvas_state.h"
+#include "core/canvas/cell_box.h"
 
 namespace pentimento {
 
 inline constexpr int kMostDetail = 32;
 inline constexpr int kMostTileSide = 128;  // fine cells
-
-/// Guide cells [x0, x1) x [y0, y1).
-struct GuideBox {
-  int x0 = 0, x1 = 0, y0 = 0, y1 = 0;
-  int width() const { return x1 - x0; }
-  int height() const { return y1 - y0; }
-};
 
 class DetailLayout {
  public:
@@ -40,7 +34,7 @@ class DetailLayout {
   int tiles() const { return columns_ * rows_; }
   int tile_of(int column, int row) const { return row * columns_ + column; }
   /// The part of the guide that a tile covers.
-  GuideBox box(int tile) const {
+  CellBox box(int tile) const {
     const int x = tile % columns_ * blocks_, y = tile / columns_ * blocks_;
     return {x, std::min(x + blocks_, guide_.width), y, std::min(y + blocks_, guide_.height)};
   }

@@ -98,7 +98,7 @@ DetailNotes note_canvas(const DetailCanvas& canvas) {
 }
 
 OpenCells recall_open_cells(const DetailNotes& notes, const DetailLayout& layout, int tile) {
-  const GuideBox box = layout.box(tile);
+  const CellBox box = layout.box(tile);
   const std::size_t words = at(waiting_words(layout.factor()));
   OpenCells open;
   for (int y = box.y0; y < box.y1; ++y)

@@ -64,11 +64,11 @@ struct OpenCells {
 };
 
 struct DetailTile {
-  DetailTile(int index, const GuideBox& covers, int planes) : tile(index), box(covers) {
+  DetailTile(int index, const CellBox& covers, int planes) : tile(index), box(covers) {
     pigment.resize(static_cast<std::size_t>(planes));
   }
-  int tile;      // index in the layout
-  GuideBox box;  // of the guide
+  int tile;     // index in the layout
+  CellBox box;  // of the guide
   TilePlane depth_m;
   std::vector<TilePlane> pigment;      // [layer * channels + channel]
   OpenCells open;                      // empty: all are open

@@ -5,7 +5,7 @@
 
 namespace pentimento {
 
-void LeftBlocks::stamped(const GuideBox& box, Vec2f way) {
+void LeftBlocks::stamped(const CellBox& box, Vec2f way) {
   for (int y = box.y0; y < box.y1; ++y) {
     for (int x = box.x0; x < box.x1; ++x) {
       if (mark_(x, y) == kNone) cells_.push_back({y, x});

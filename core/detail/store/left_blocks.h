@@ -33,7 +33,7 @@ class LeftBlocks {
         way_(layout.guide().width, layout.guide().height) {}
 
   /// A stamp was over the cells of `box`, which lies on the canvas, on its way along `way`.
-  void stamped(const GuideBox& box, Vec2f way);
+  void stamped(const CellBox& box, Vec2f way);
   /// Ends a step. The cells that were stamped before it and not in it, by rows.
   std::vector<LeftBlock> step();
   void clear();

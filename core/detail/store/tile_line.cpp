@@ -17,7 +17,7 @@ void for_pieces(DetailCanvas& canvas, const TileRun& run, const WetPlane& q, int
     const int cells = std::min(side - within, count - done);
     DetailTile* tile = canvas.find(run.tiles[static_cast<std::size_t>(at / side)]);
     float* data = tile == nullptr ? nullptr : q.of(*tile).data();
-    const bool along_x = run.axis == LineAxis::kX;
+    const bool along_x = run.axis == Axis::kX;
     const std::ptrdiff_t first = along_x ? static_cast<std::ptrdiff_t>(line) * side + within
                                          : static_cast<std::ptrdiff_t>(within) * side + line;
     body(data, first, along_x ? 1 : side, done, cells);
@@ -26,9 +26,8 @@ void for_pieces(DetailCanvas& canvas, const TileRun& run, const WetPlane& q, int
 }
 }  // namespace
 
-std::vector<TileRun> runs_of(const DetailLayout& layout, const ChangedBlocks& blocks,
-                             LineAxis axis) {
-  const bool along_x = axis == LineAxis::kX;
+std::vector<TileRun> runs_of(const DetailLayout& layout, const ChangedBlocks& blocks, Axis axis) {
+  const bool along_x = axis == Axis::kX;
   const int lines = along_x ? layout.rows() : layout.columns();
   const int length = along_x ? layout.columns() : layout.rows();
   std::vector<TileRun> runs;
@@ -40,7 +39,7 @@ std::vector<TileRun> runs_of(const DetailLayout& layout, const ChangedBlocks& bl
         open = false;
         continue;
       }
-      const GuideBox box = layout.box(tile);
+      const CellBox box = layout.box(tile);
       if (!open) runs.push_back({axis, {}, box});
       open = true;
       TileRun& run = runs.back();

@@ -10,21 +10,18 @@
 
 namespace pentimento {
 
-enum class LineAxis { kX, kY };
-
 /// Tiles side by side (kX) or one below the other (kY), all with blocks in the list; may lack
 /// planes or not exist.
 struct TileRun {
-  LineAxis axis = LineAxis::kX;
+  Axis axis = Axis::kX;
   std::vector<int> tiles;
-  GuideBox box;  // of the guide, all tiles together
+  CellBox box;  // of the guide, all tiles together
   /// Blocks along the axis, and across it.
-  int length() const { return axis == LineAxis::kX ? box.width() : box.height(); }
-  int breadth() const { return axis == LineAxis::kX ? box.height() : box.width(); }
+  int length() const { return axis == Axis::kX ? box.width() : box.height(); }
+  int breadth() const { return axis == Axis::kX ? box.height() : box.width(); }
 };
 
-std::vector<TileRun> runs_of(const DetailLayout& layout, const ChangedBlocks& blocks,
-                             LineAxis axis);
+std::vector<TileRun> runs_of(const DetailLayout& layout, const ChangedBlocks& blocks, Axis axis);
 
 /// Fine cells [begin, end) of line `line` (counted across the run); absent planes read as 0.
 void load_line(DetailCanvas& canvas, const TileRun& run, const WetPlane& q, int line, int begin,

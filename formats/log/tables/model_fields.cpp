@@ -25,7 +25,7 @@ constexpr std::array<std::string_view, 2> kObservers = {"1931", "1964"};
 // looks odd. Lower bounds that stand for "positive" are far above the smallest normal float.
 const ModelField kFields[] = {
     {{"scheme", "", kChoice, 0, 1, kSchemes, "the fluid solver"}, false, &Model::scheme},
-    {{"layers", "", kWhole, 1, 8, {}, "pigment layers; Table 2 of the paper"},
+    {{"layers", "", kWhole, 1, kMaxLayers, {}, "pigment layers; Table 2 of the paper"},
      false,
      &Model::layers},
     {{"nu_min", "m^2/s", kNumber, 1e-12, 1e3, {}, "Table 1"}, true, &Model::nu_min_m2_s},

@@ -117,7 +117,7 @@ TEST(Gather, TheBrushGainsPerAreaWhatTheCanvasLost) {
   for (const float diameter_m : {0.004f, 0.03f, 0.1f}) {
     stamp.diameter_m = diameter_m;
     const TipPose pose = pose_of(stamp, brush, 0);
-    const CellBox box = box_of(pose, tip.extent(), geometry);
+    const FootprintBox box = box_of(pose, tip.extent(), geometry);
     std::vector<float> lifted(static_cast<std::size_t>(box.width * box.height * 4), 0.0f);
     std::vector<double> sum(3, 0.0);
     for (std::size_t i = 0; i < lifted.size(); i += 4) {
@@ -152,7 +152,7 @@ TEST(Gather, FinePaintArrivesWhereItsCellIs) {
   stamp.y_m = 0.07;
   stamp.diameter_m = 0.1f;
   const TipPose pose = pose_of(stamp, brush, 0);
-  const CellBox box = box_of(pose, tip.extent(), geometry);
+  const FootprintBox box = box_of(pose, tip.extent(), geometry);
   const std::vector<TouchedCells> rows(static_cast<std::size_t>(box.height), {0, box.width});
   for (const int right : {3, 7, 12}) {  // cells from the middle, where all texels are the tip's
     std::vector<float> lifted(static_cast<std::size_t>(box.width * box.height * 4), 0.0f);
@@ -185,7 +185,7 @@ TEST(Gather, EveryComponentIsTreatedAlike) {
   for (const float diameter_m : {0.004f, 0.03f, 0.1f}) {
     stamp.diameter_m = diameter_m;
     const TipPose pose = pose_of(stamp, brush, 0);
-    const CellBox box = box_of(pose, tip.extent(), geometry);
+    const FootprintBox box = box_of(pose, tip.extent(), geometry);
     std::vector<float> lifted(static_cast<std::size_t>(box.width * box.height * 4), 0.0f);
     for (std::size_t i = 0; i < lifted.size(); i += 4) {
       lifted[i] = 1e-3f * static_cast<float>(i % 3);

@@ -47,7 +47,7 @@ class SecondCanvas : public test::IdleFollower {
     for (int y = 0; y < geometry_.height; ++y)
       for (int x = 0; x < geometry_.width; ++x)
         after(x, y) = canvas.depth_m(x / finer_, y / finer_);
-    const CellBox box = box_of(plan.pose, plan.extent, geometry_);
+    const FootprintBox box = box_of(plan.pose, plan.extent, geometry_);
     std::vector<float> paint(static_cast<std::size_t>(plan.stride));
     TipPrint print;
     print.draw_cells(plan, std::sqrt(geometry_.dx_m() * geometry_.dy_m()));

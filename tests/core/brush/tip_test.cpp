@@ -207,7 +207,7 @@ TEST(Footprint, TheBoxHoldsTheWholeTip) {
     Stamp stamp = upright();
     stamp.twist_rad = twist_rad;
     const TipPose pose = pose_of(stamp, *builtin_brush("flat"), 0);
-    const CellBox box = box_of(pose, TipExtent(), geometry);
+    const FootprintBox box = box_of(pose, TipExtent(), geometry);
     for (int y = 0; y < geometry.height; ++y) {
       const TipRow row = tip_row(pose, {0, 0, geometry.width, 1, true}, geometry, y);
       for (int x = 0; x < geometry.width; ++x) {
@@ -226,7 +226,7 @@ TEST(Footprint, BoxesAreCutAtTheCanvas) {
   const TipExtent all;
   EXPECT_TRUE(box_of(pose_of(stamp, *builtin_brush("round"), 0), all, geometry).inside);
   stamp.x_m = 0;
-  const CellBox cut = box_of(pose_of(stamp, *builtin_brush("round"), 0), all, geometry);
+  const FootprintBox cut = box_of(pose_of(stamp, *builtin_brush("round"), 0), all, geometry);
   EXPECT_FALSE(cut.inside);
   EXPECT_EQ(cut.x, 0);
   EXPECT_LE(cut.width, 8);

@@ -123,11 +123,11 @@ TEST(Refinement, AFreshCanvasRemembersNoStamp) {
 }
 
 /// The cells that the next lock will look at, as the notes have them.
-GuideBox noted_changed(const test::Painted& painted) {
+CellBox noted_changed(const test::Painted& painted) {
   const DetailLayout& layout = painted.refinement().canvas().layout();
   const DetailNotes notes = painted.refinement().notes();
   const int width = layout.guide().width, height = layout.guide().height;
-  GuideBox box{width, 0, height, 0};
+  CellBox box{width, 0, height, 0};
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
       if ((notes.block[static_cast<std::size_t>(y * width + x)] & kNotedChanged) == 0) continue;
@@ -142,10 +142,10 @@ TEST(Refinement, LocksAStampsCellsAndTheRingAroundThem) {
   painted.stamp_once(0.1, 0.07);
   std::vector<StampedBlock> stamped = painted.refinement().notes().left;  // by rows
   ASSERT_FALSE(stamped.empty());
-  GuideBox box{stamped[0].x, stamped[0].x + 1, stamped[0].y, stamped.back().y + 1};
+  CellBox box{stamped[0].x, stamped[0].x + 1, stamped[0].y, stamped.back().y + 1};
   for (const StampedBlock& block : stamped)
     box = {std::min(box.x0, block.x), std::max(box.x1, block.x + 1), box.y0, box.y1};
-  const GuideBox changed = noted_changed(painted);
+  const CellBox changed = noted_changed(painted);
   EXPECT_EQ(changed.x0, box.x0 - 1);
   EXPECT_EQ(changed.x1, box.x1 + 1);
   EXPECT_EQ(changed.y0, box.y0 - 1);

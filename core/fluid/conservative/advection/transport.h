@@ -4,13 +4,13 @@
 // of the step throughout.
 
 #include "core/canvas/canvas_state.h"
+#include "core/canvas/cell_box.h"
 #include "core/fluid/conservative/solve/workspace.h"
 #include "core/fluid/conservative/tiles/tiles.h"
 #include "core/fluid/scheme.h"
 
 namespace pentimento::conservative {
 
-enum class Axis { kX, kY };
 /// The axis that moves first in a step, or the other.
 enum class Turn { kFirst, kSecond };
 

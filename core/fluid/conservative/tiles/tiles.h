@@ -19,6 +19,7 @@
 
 #include "core/base/runs.h"
 #include "core/canvas/canvas_state.h"
+#include "core/canvas/cell_box.h"
 #include "core/fluid/scheme.h"
 
 namespace pentimento::conservative {
@@ -26,12 +27,6 @@ namespace pentimento::conservative {
 /// Memory of one tile in CanvasState::sleep, tile after tile, row by row: whether it sleeps (0 or
 /// 1), gravity when it fell asleep (m/s^2, y down), whether any of its paint feels gravity.
 enum SleepValue { kAsleep, kGravityX, kGravityY, kGravityZ, kFeelsGravity, kSleepValues };
-
-/// Cells [x0, x1) x [y0, y1).
-struct CellBox {
-  int x0 = 0, x1 = 0, y0 = 0, y1 = 0;
-  bool empty() const { return x0 >= x1 || y0 >= y1; }
-};
 
 class Tiles {
  public:

@@ -12,7 +12,7 @@ namespace pentimento {
 namespace {
 
 constexpr int kSide = 32, kFactor = 8;
-constexpr GuideBox kBox = {8, 24, 8, 24};
+constexpr CellBox kBox = {8, 24, 8, 24};
 
 /// Block means of m(W) S over the box.
 Field<float> film_means(const Field<float>& plane) {

@@ -138,7 +138,7 @@ TEST_F(LevelTest, ReachesAsFarOnEverySideOfAMovingEdge) {
       std::fill_n(canvas_.find(t)->depth_m.data(), 128 * 128, 0.0012f);
     }
     level_detail(canvas_, guide_, edges, in, all);
-    GuideBox changed{32, 0, 32, 0};
+    CellBox changed{32, 0, 32, 0};
     for (int y = 0; y < 256; ++y)
       for (int x = 0; x < 256; ++x) {
         if (depth_at(x, y) == 0.0012f) continue;
@@ -168,7 +168,7 @@ TEST_F(LevelTest, ChangesNothingBeyondWhatMoves) {
   guide_.depth_m(12, 12) = 0.002f;  // a bump that levels
   const StepInput in{model_, {0, 0, 9.81f}, 1.0f / 45, contact_, amount_, threads_};
   level_detail(canvas_, guide_, edges_, in, moving);
-  GuideBox changed{32, 0, 32, 0};
+  CellBox changed{32, 0, 32, 0};
   for (int y = 0; y < 256; ++y)
     for (int x = 0; x < 256; ++x) {
       if (depth_at(x, y) == before[static_cast<std::size_t>(y * 256 + x)]) continue;

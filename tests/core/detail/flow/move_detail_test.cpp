@@ -27,7 +27,7 @@ class MoveDetailTest : public ::testing::Test {
     }
   }
 
-  void move(LineAxis axis, const ChangedBlocks& moving) {
+  void move(Axis axis, const ChangedBlocks& moving) {
     move_detail(canvas_, edges_, axis, moving, {0, amount_}, Threads(1));
   }
   float depth_at(int x, int y) const {
@@ -54,18 +54,17 @@ class MoveDetailTest : public ::testing::Test {
 TEST_F(MoveDetailTest, AnEvenShiftCarriesAPlateauAlong) {
   // Edges 2 to 25 of every row move by a quarter of a cell, two fine cells: what lies well between
   // them is found two fine cells further, with every digit of a float.
-  for (const LineAxis axis : {LineAxis::kX, LineAxis::kY}) {
+  for (const Axis axis : {Axis::kX, Axis::kY}) {
     ChangedBlocks all(layout_);
     all.add({0, 32, 0, 32});
     const std::vector<float> before = depths();
     for (int y = 0; y < 32; ++y)
       for (int x = 0; x < 32; ++x) {
-        const int along = axis == LineAxis::kX ? x : y;
-        (axis == LineAxis::kX ? edges_.x : edges_.y)[0](x, y) =
-            along >= 2 && along < 26 ? 0.25f : 0.0f;
+        const int along = axis == Axis::kX ? x : y;
+        (axis == Axis::kX ? edges_.x : edges_.y)[0](x, y) = along >= 2 && along < 26 ? 0.25f : 0.0f;
       }
     move(axis, all);
-    const int dx = axis == LineAxis::kX ? 2 : 0, dy = 2 - dx;
+    const int dx = axis == Axis::kX ? 2 : 0, dy = 2 - dx;
     for (int y = 48; y < 192; ++y)
       for (int x = 48; x < 192; ++x)
         // Shares of a cell's length have the rounding of a position of 256 cells, 3e-5.
@@ -82,7 +81,7 @@ TEST_F(MoveDetailTest, AShortRunOfTilesKnowsNothingOfALongOneBeforeIt) {
   for (int y = 0; y < 4; ++y) moving.add(y, 12, 20);
   for (int y = 20; y < 28; ++y) moving.add(y, 0, 8);
   const std::vector<float> before = depths();
-  move(LineAxis::kX, moving);
+  move(Axis::kX, moving);
   EXPECT_NE(depth_at(128, 12), before[12 * 256 + 128]);
   EXPECT_NE(depth_at(32, 192), before[192 * 256 + 32]);
   for (int y = 128; y < 256; ++y)

@@ -14,7 +14,7 @@ TEST(AddMoving, FindsTheCellsBesideMovingEdgesAndThreeAround) {
   for (int y = 0; y < 50; ++y) runs.push_back({y, 0, 200});
   ChangedBlocks blocks(DetailLayout(guide, 1));  // one tile for 128 cells
   add_moving(edges, runs, blocks);
-  const GuideBox left = blocks.box(0);
+  const CellBox left = blocks.box(0);
   EXPECT_EQ(left.y0, 17);
   EXPECT_EQ(left.y1, 45);
   EXPECT_EQ(left.x0, 27);

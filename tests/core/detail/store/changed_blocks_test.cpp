@@ -26,11 +26,11 @@ TEST(ChangedBlocks, CutsRowsAtTilesAndAtTheCanvas) {
 
 TEST(ChangedBlocks, KeepsOneSpanARowAndForgetsThemAll) {
   ChangedBlocks changed(kLayout);
-  changed.add(GuideBox{2, 4, 5, 7});
+  changed.add(CellBox{2, 4, 5, 7});
   changed.add(5, 9, 11);
   EXPECT_EQ(changed.strips()[0].x1, 11);
   EXPECT_EQ(changed.strips()[1].x1, 4);
-  const GuideBox box = changed.box(0);
+  const CellBox box = changed.box(0);
   EXPECT_EQ(box.x0, 2);
   EXPECT_EQ(box.x1, 11);
   EXPECT_EQ(box.y0, 5);
