@@ -51,20 +51,20 @@ int Threads::count() const {
   return arena_->count;
 }
 
-void Threads::for_ranges(int begin, int end, int grain,
+void Threads::for_ranges(int begin, int end, int grain_size,
                          const std::function<void(int, int)>& body) const {
   if (end <= begin) return;
   if (arena_->backwards) {
-    for (int last = end; last > begin; last -= std::min(grain, last - begin))
-      body(std::max(begin, last - grain), last);
+    for (int last = end; last > begin; last -= std::min(grain_size, last - begin))
+      body(std::max(begin, last - grain_size), last);
     return;
   }
-  if (arena_->count == 1 || end - begin <= grain) {
+  if (arena_->count == 1 || end - begin <= grain_size) {
     body(begin, end);
     return;
   }
   arena_->arena.execute([&] {
-    tbb::parallel_for(tbb::blocked_range<int>(begin, end, static_cast<std::size_t>(grain)),
+    tbb::parallel_for(tbb::blocked_range<int>(begin, end, static_cast<std::size_t>(grain_size)),
                       [&](const tbb::blocked_range<int>& r) { body(r.begin(), r.end()); });
   });
 }

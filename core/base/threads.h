@@ -19,9 +19,10 @@ class Threads {
   Threads& operator=(Threads&&) noexcept;
 
   int count() const;
-  /// Calls body(begin, end) on disjoint ranges that cover [begin, end). `grain` is the smallest
-  /// range worth handing out. Returns when all are done.
-  void for_ranges(int begin, int end, int grain, const std::function<void(int, int)>& body) const;
+  /// Calls body(begin, end) on disjoint ranges that cover [begin, end). `grain_size` is the
+  /// smallest range worth handing out. Returns when all are done.
+  void for_ranges(int begin, int end, int grain_size,
+                  const std::function<void(int, int)>& body) const;
   /// Calls body(y) for each row y of [0, rows).
   void for_rows(int rows, const std::function<void(int)>& body) const;
 

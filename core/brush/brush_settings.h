@@ -22,10 +22,10 @@ struct BrushSettings {
 
 enum class TipShape { kRound, kFlat, kFilbert, kBristle, kKnife, kTexture, kFan, kRigger, kRag };
 
-/// The hairs of a tip. Lengths are in halves of the diameter.
+/// The bristles of a tip. Lengths are in halves of the diameter.
 struct BristleSet {
   int count = 0;            // 0: none, the tip is a map
-  float thickness = 0.05f;  // radius of a hair's mark, > 0
+  float thickness = 0.05f;  // radius of a bristle's mark, > 0
   float length_spread = 0;  // how unequal their lengths are, 0..1: the longest touch first
   float clumping = 0;       // how far they stick together, 0..1
   bool operator==(const BristleSet&) const = default;
@@ -43,9 +43,9 @@ struct BrushDefinition {
   bool follows_direction = false;  // the tip turns with the stroke (flat brushes of programs do)
   PressureCurve size;              // in place of size_pressure: times the size
   PressureCurve flow;              // in place of flow_pressure: times the deposit
-  PressureCurve splay;             // how far the hairs are pressed down, 0..1
+  PressureCurve splay;             // how far the bristles are pressed down, 0..1
   float stiffness = -1;            // 0..1 in place of the slider's; negative: the slider's
-  float grip = 1;                  // how unevenly the hairs hold the paint they meet, 0..1
+  float grip = 1;                  // how unevenly the bristles hold the paint they meet, 0..1
   float capacity = 200;            // R24: diameters on dry canvas that empty a full brush
   float film = 1;                  // of the sliders' film, that it lays; 0: it lays nothing
   float absorb = 0;                // share of the paint under it that a rag keeps, per diameter
@@ -57,7 +57,7 @@ struct BrushDefinition {
   float flow_at(float pressure) const {
     return flow.empty() ? 1 - flow_pressure * (1 - pressure) : flow.at(pressure);
   }
-  /// Soft at first: half the pressure presses three quarters of the hairs down.
+  /// Soft at first: half the pressure presses three quarters of the bristles down.
   float splay_at(float pressure) const {
     return splay.empty() ? 1 - (1 - pressure) * (1 - pressure) : splay.at(pressure);
   }

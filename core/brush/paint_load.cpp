@@ -14,7 +14,7 @@ PaintLoad::PaintLoad(std::span<const float> held, std::span<const float> amount,
   const std::size_t padded = (paint.size() + 3) / 4 * 4;
   paint.resize(padded, 0.0f);
   weight.resize(padded, 0.0f);
-  content_m = content_of(paint.data());
+  volume_m = volume_of(paint.data());
 }
 
 void PaintLoad::set_rows(const PaintLoad& other, int begin, int end) {

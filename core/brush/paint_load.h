@@ -20,8 +20,8 @@ struct PaintLoad {
   PaintLoad(std::span<const float> paint, std::span<const float> amount, float height_per_amount_m);
 
   std::vector<float> paint;   // padded with zeros to whole fours
-  std::vector<float> weight;  // of each in the content
-  float content_m = 0;        // of `paint`
+  std::vector<float> weight;  // of each in the volume
+  float volume_m = 0;         // of `paint`
   std::vector<float> rows;    // paint of each reservoir row; empty: `paint` everywhere
 
   const float* row(int index) const {
@@ -32,7 +32,7 @@ struct PaintLoad {
   void set_rows(const PaintLoad& other, int begin, int end);
 
   /// Height plus amount as height. `paint_at` is padded like `paint`.
-  float content_of(const float* paint_at) const {
+  float volume_of(const float* paint_at) const {
     float lane[4] = {0, 0, 0, 0};
     for (std::size_t k = 0; k < weight.size(); k += 4)
       for (std::size_t i = 0; i < 4; ++i) lane[i] += weight[k + i] * paint_at[k + i];

@@ -1,6 +1,6 @@
 #pragma once
 // What a brush holds: a texture of paint over the tip (R21, R22, R24), so that a stroke streaks.
-// Paint is a height of medium and an amount per channel, both per area of tip; its `content` counts
+// Paint is a height of medium and an amount per channel, both per area of tip; its `volume` counts
 // pigment as a height too, so that paint of any thinness can be measured against a full load.
 // The palette supplies it without end: laying a film does not empty it, lifted paint adds to it.
 
@@ -8,9 +8,9 @@
 #include <span>
 #include <vector>
 
-#include "core/brush/footprint.h"
 #include "core/brush/paint_load.h"
 #include "core/brush/tip.h"
+#include "core/brush/tip_pose.h"
 
 namespace pentimento {
 
@@ -48,9 +48,9 @@ class Reservoir {
   void sample_row(const TipRow& tip, int first, int n, float* out) const;
 
   /// R22: each of the tip's texels goes the share `refill_frac` of the way to the load's paint, at
-  /// its own content if that is larger (the palette takes and gives alike). Measures the surplus.
+  /// its own volume if that is larger (the palette takes and gives alike). Measures the surplus.
   void refill(const PaintLoad& load, const Tip& tip, float refill_frac);
-  /// What was above the load's content at the last refill(), summed over texels with their weights.
+  /// What was above the load's volume at the last refill(), summed over texels with their weights.
   double weighted_surplus() const { return surplus_; }
   /// Takes the share `frac` x weight of the surplus measured last from each texel, its composition
   /// kept.
@@ -64,7 +64,7 @@ class Reservoir {
   bool as_loaded_ = false;  // nothing but fill() has touched it: a refill would change nothing
   double surplus_ = 0;
   std::vector<float> data_;
-  std::vector<float> content_;  // of the tip's texels, in their order, since the last refill
+  std::vector<float> volume_;  // of the tip's texels, in their order, since the last refill
 };
 
 }  // namespace pentimento

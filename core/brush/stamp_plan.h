@@ -7,14 +7,14 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "core/brush/footprint.h"
 #include "core/brush/reservoir.h"
 #include "core/brush/stamp.h"
 #include "core/brush/tip.h"
+#include "core/brush/tip_pose.h"
 #include "core/canvas/canvas_state.h"
-#include "core/layers/lay_paint.h"
-#include "core/layers/lift.h"
+#include "core/layers/deposit.h"
 #include "core/layers/mix_layers.h"
+#include "core/layers/pick_up.h"
 
 namespace pentimento {
 
@@ -32,17 +32,17 @@ struct StampPlan {
   float mean = 1;    // of the tip, pressed as it is, > 0
   float dry_m = 0;
   std::uint32_t stroke_id = 0;
-  Lift lift;
+  PickUp pick_up;
   MixLayers mix;
-  LayPaint lay;
+  Deposit deposit;
   float film_rate = 0;    // share of the reservoir's height laid where the tip's value is 1
   float return_frac = 0;  // share of the surplus that goes back where the tip touches fully
   float level_per_m = 0;  // contact levelling: deposit changes by this per metre above the mean
   double mean_height_m = 0;
-  float catch_per_m = 0;      // dry brush: how sharply deposit ends below the heights it reaches...
-  float catch_offset = 1;     // ...and its share at the mean height; 0 per metre: it reaches all
-  float pickup_frac = 0;      // share lifted by the hairs' grip; in `lift` too, unless scraping
-  float scrape_frac = 0;      // share taken of what stands above...
+  float catch_per_m = 0;   // dry brush: how sharply deposit ends below the heights it reaches...
+  float catch_offset = 1;  // ...and its share at the mean height; 0 per metre: it reaches all
+  float pickup_frac = 0;   // share lifted by the bristles' grip; in `pick_up` too, unless scraping
+  float scrape_frac = 0;   // share taken of what stands above...
   float scrape_height_m = 0;  // ...this, by a blade
   float share_scale = 1;      // keeps the total that levelling redistributes
   float push_m = 0;
@@ -53,9 +53,9 @@ inline TipLevel stamp_tip_level(const StampPlan& plan, float cell_m) {
   return plan.tip->level_for(cell_m / plan.pose.diameter_m, plan.state);
 }
 
-/// How hard the hairs hold the paint at v where the tip's value is `value`, in [0,2]; `grip`: the
-/// tip's.
-inline float stamp_touch(const StampPlan& plan, const HairTable& grip, float value, float v) {
+/// How hard the bristles hold the paint at v where the tip's value is `value`, in [0,2]; `grip`:
+/// the tip's.
+inline float stamp_hold(const StampPlan& plan, const BristleTable& grip, float value, float v) {
   return std::min(1.0f, value / plan.mean) * grip.at(v);
 }
 
@@ -64,14 +64,14 @@ struct CellHeight {
   float surface_m = 0;  // its surface
 };
 
-/// Share of the weight that lift_row() takes (with plan.lift) where the tip's hairs hold with
-/// `touch`: theirs, or, under a blade, what stands above its edge. `end`: Tip::end_table().
-inline float stamp_lift_weight(const StampPlan& plan, float touch, float end,
-                               const CellHeight& cell) {
-  if (!(plan.scrape_frac > 0)) return touch;
+/// Share of the weight that pick_up_row() takes (with plan.pick_up) where the tip's bristles hold
+/// with `hold`: theirs, or, under a blade, what stands above its edge. `end`: Tip::end_table().
+inline float stamp_pick_up_weight(const StampPlan& plan, float hold, float end,
+                                  const CellHeight& cell) {
+  if (!(plan.scrape_frac > 0)) return hold;
   const float above = std::clamp(cell.surface_m - plan.scrape_height_m, 0.0f, cell.depth_m);
   const float scraped = cell.depth_m > 0 ? plan.scrape_frac * (above / cell.depth_m) : 0.0f;
-  return std::max(plan.pickup_frac * touch, std::min(touch, 1.0f) * scraped * (1 - end));
+  return std::max(plan.pickup_frac * hold, std::min(hold, 1.0f) * scraped * (1 - end));
 }
 
 /// Contact levelling (A22): less on bumps and more in hollows, in [0,2]. A blade fills up to its
@@ -85,7 +85,7 @@ inline float stamp_level_factor(const StampPlan& plan, float end, float height_m
   return room + end * (level - room);
 }
 
-/// Dry brush: 1 where the hairs reach down to `height_m`, 0 where they pass over it.
+/// Dry brush: 1 where the bristles reach down to `height_m`, 0 where they pass over it.
 inline float stamp_caught(const StampPlan& plan, float height_m) {
   if (plan.catch_per_m == 0) return 1;
   const float above = height_m - static_cast<float>(plan.mean_height_m);
@@ -99,19 +99,20 @@ inline float stamp_levelled(const StampPlan& plan, float value, float end, float
 }
 
 /// Content laid at a cell, of the paint that the reservoir holds over it.
-struct LaidContent {
+struct DepositedVolume {
   float part = 0;      // of the sampled paint
   float returned = 0;  // of the surplus
 };
 /// The film of the palette's paint and the share of what the brush holds beyond its load.
-/// `content`: PaintLoad::content_of() the reservoir's sample at the cell; `value`: the tip's;
+/// `volume`: PaintLoad::volume_of() the reservoir's sample at the cell; `value`: the tip's;
 /// `share`: levelled and scaled, > 0.
-inline LaidContent stamp_laid(const StampPlan& plan, float content, float value, float share) {
-  const float load_m = plan.load->content_m;
-  const float surplus = std::max(0.0f, content - load_m);
+inline DepositedVolume stamp_deposited(const StampPlan& plan, float volume, float value,
+                                       float share) {
+  const float load_m = plan.load->volume_m;
+  const float surplus = std::max(0.0f, volume - load_m);
   const float back = plan.return_frac * share * surplus / std::max(value, plan.mean);
-  const float film = plan.film_rate * share * std::min(content, load_m);
-  return {content > 0 ? (film + back) / content : 0.0f, back};
+  const float film = plan.film_rate * share * std::min(volume, load_m);
+  return {volume > 0 ? (film + back) / volume : 0.0f, back};
 }
 
 /// Push at (u, v), in metres along the stroke's direction: alpha ds e(r), which fades from 1.5 in

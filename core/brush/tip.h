@@ -48,7 +48,7 @@ class TipMap {
 };
 
 /// What is even along the stroke and differs across it, as a table over v.
-class HairTable {
+class BristleTable {
  public:
   float& operator[](int i) { return value_[static_cast<std::size_t>(i)]; }
   static constexpr int kSteps = 128;
@@ -67,25 +67,25 @@ class HairTable {
 
 /// How a tip is held at a stamp.
 struct TipState {
-  float press = 1;         // how far the hairs are pressed down, 0..1
-  float density_frac = 1;  // of the brush's fluid: below about 0.8 hairs run dry, one by one
+  float press = 1;         // how far the bristles are pressed down, 0..1
+  float density_frac = 1;  // of the brush's fluid: below about 0.8 bristles run dry, one by one
 };
 
 /// A tip at one resolution in one state.
 struct TipLevel {
   const TipMap* low = nullptr;
   const TipMap* high = nullptr;
-  float frac = 0;                        // of the way from low to high
-  const HairTable* gives_low = nullptr;  // nullptr: all hairs are wet
-  const HairTable* gives_high = nullptr;
-  float gives_frac = 0;
+  float frac = 0;                            // of the way from low to high
+  const BristleTable* supply_low = nullptr;  // nullptr: all bristles are wet
+  const BristleTable* supply_high = nullptr;
+  float supply_frac = 0;
 
   /// Value at (u, v) in tip diameters from the centre, in [0,1].
   float at(float u, float v) const {
     const float value = TipMap::between(*low, *high, frac, u, v);
-    if (gives_low == nullptr || value == 0) return value;
-    const float few = gives_low->at(v);
-    return value * (few + gives_frac * (gives_high->at(v) - few));
+    if (supply_low == nullptr || value == 0) return value;
+    const float few = supply_low->at(v);
+    return value * (few + supply_frac * (supply_high->at(v) - few));
   }
 };
 
@@ -98,19 +98,19 @@ struct TipTexel {
 
 class Tip {
  public:
-  /// Draws the brush's tip. The hairs are the name's: the same name, the same hairs.
+  /// Draws the brush's tip. The bristles are the name's: the same name, the same bristles.
   explicit Tip(const BrushDefinition& brush);
 
   /// The resolution whose texels are nearest in size to a cell of `cell_frac` tip diameters, > 0.
   TipLevel level_for(float cell_frac, const TipState& state = {}) const;
-  /// Mean value over the tip's square, in [0,1], of wet hairs.
+  /// Mean value over the tip's square, in [0,1], of wet bristles.
   float mean(float press = 1) const;
   TipExtent extent() const { return extent_; }
-  /// How strongly the hairs at v (tip coordinates) take hold: hair_grip(), interpolated.
-  const HairTable& grip_table() const { return grip_; }
+  /// How strongly the bristles at v (tip coordinates) take hold: bristle_grip(), interpolated.
+  const BristleTable& grip_table() const { return grip_; }
   /// How far a place at v is under the ends of the tip, where a blade lets paint pass: 0 where its
   /// value stays below 0.65, 1 from 0.85 on. Of v alone: it does not change along the stroke.
-  const HairTable& end_table() const { return ends_; }
+  const BristleTable& end_table() const { return ends_; }
   /// The reservoir's texels that the tip covers, and those that touch them.
   const std::vector<TipTexel>& texels() const { return texels_; }
   /// 1 for those, 0 for the others.
@@ -132,8 +132,8 @@ class Tip {
   TipExtent extent_;
   std::vector<TipTexel> texels_;
   std::array<float, kReservoirTexels> covered_{};
-  HairTable grip_, ends_;
-  std::vector<HairTable> gives_;  // evenly from dry to kWetFrac; empty: no hairs
+  BristleTable grip_, ends_;
+  std::vector<BristleTable> supply_;  // evenly from dry to kWetFrac; empty: no bristles
 };
 
 }  // namespace pentimento

@@ -8,18 +8,18 @@
 namespace pentimento {
 
 namespace {
-constexpr float kSmallestCells = 1.5f;    // diameter of the smallest tip a grid can show
-constexpr float kRefillDiameters = 0.1f;  // R22: distance that the refill share is of
-constexpr float kDryFrac = 1e-3f;         // of max_medium: thinner is dry canvas (A21)
-constexpr float kWeaveReach_m = 3e-4f;    // of a linen's relief: levels beside the film's own
-constexpr float kCarries_m = 6e-4f;       // wet paint less deep than that holds hairs up
-constexpr float kLeastRelief_m = 2e-5f;   // a smooth ground catches a dry brush evenly
-constexpr float kDryFilm = 0.7f;          // fluid below which hairs dry rather than thin out
-constexpr float kSlowing_per_s = 120;     // at so many diameters a second, half as deep
-constexpr float kBladeThickness = 0.14f;  // of the diameter: how long a blade is over a place
-constexpr float kBladeRide_m = 1.5e-4f;   // half a weave: a blade rides on the bumps
-constexpr float kBladeLift_m = 2e-3f;     // the blade's edge without pressure, above that
-constexpr float kMostSqueezed = 1.5f;     // of a blade's film, where there is room
+constexpr float kSmallestCells = 1.5f;      // diameter of the smallest tip a grid can show
+constexpr float kRefillDiameters = 0.1f;    // R22: distance that the refill share is of
+constexpr float kDryFrac = 1e-3f;           // of max_medium: thinner is dry canvas (A21)
+constexpr float kWeaveReach_m = 3e-4f;      // of a linen's relief: levels beside the film's own
+constexpr float kCarries_m = 6e-4f;         // wet paint less deep than that holds bristles up
+constexpr float kLeastRelief_m = 2e-5f;     // a smooth ground catches a dry brush evenly
+constexpr float kDryFilm = 0.7f;            // fluid below which bristles dry rather than thin out
+constexpr float kSlowing_per_s = 120;       // at so many diameters a second, half as deep
+constexpr float kBladeThickness = 0.14f;    // of the diameter: how long a blade is over a place
+constexpr float kBladeRide_m = 1.5e-4f;     // half a weave: a blade rides on the bumps
+constexpr float kBladeClearance_m = 2e-3f;  // the blade's edge without pressure, above that
+constexpr float kMostSqueezed = 1.5f;       // of a blade's film, where there is room
 constexpr int kRowsPerTask = 8;
 constexpr int kCellsWorthThreads = 3000;  // some 0.2 ms of work; handing out rows costs 10 us
 
@@ -29,7 +29,7 @@ float speed_factor(const Stamp& stamp) {
   return 1 + std::sqrt(v.x * v.x + v.y * v.y) / (kSlowing_per_s * stamp.diameter_m);
 }
 
-/// What is left of the film as the brush dries: hairs that still give do not give much less.
+/// What is left of the film as the brush dries: bristles that still give do not give much less.
 float wet_film(float density_frac) {
   if (density_frac >= kDryFilm) return density_frac;
   return kDryFilm * std::sqrt(density_frac / kDryFilm);
@@ -70,18 +70,18 @@ void Transfer::apply(const Stamp& stamp, const BrushInHand& hand, const Model& m
   set_rates(stamp, hand, model, reservoir, plan);
   planes_.find(state_);
   prepare(plan.box, plan.stride);
-  print_.draw_cells(plan, cell_m());
+  footprint_.draw_cells(plan, cell_m());
 
   for_rows(plan, &Transfer::measure_rows);
   find_heights(hand, plan);
-  for_rows(plan, &Transfer::lift_rows);
-  take_up(plan, hand, reservoir);
-  const bool lays = find_share_scale(plan);
-  if (observer_ != nullptr) observer_->lay(plan, state_);
-  if (!lays) return;
-  for_rows(plan, &Transfer::lay_rows);
-  if (observer_ != nullptr) observer_->laid(plan, state_);
-  settle(plan, hand, reservoir);
+  for_rows(plan, &Transfer::pick_up_rows);
+  pick_up_and_refill(plan, hand, reservoir);
+  const bool deposits = find_share_scale(plan);
+  if (listener_ != nullptr) listener_->before_deposit(plan, state_);
+  if (!deposits) return;
+  for_rows(plan, &Transfer::deposit_rows);
+  if (listener_ != nullptr) listener_->after_deposit(plan, state_);
+  return_surplus(plan, hand, reservoir);
 }
 
 float Transfer::cell_m() const {
@@ -119,17 +119,17 @@ void Transfer::set_rates(const Stamp& stamp, const BrushInHand& hand, const Mode
   plan.pickup_frac =
       std::max(share_over(settings.pickup, diameters),
                share_over(brush.absorb, diameters * (0.3 + 0.7 * static_cast<double>(pressure))));
-  plan.lift.share_frac = plan.pickup_frac;
-  plan.lift.residue = model.pigment_residue;
+  plan.pick_up.share_frac = plan.pickup_frac;
+  plan.pick_up.residue = model.pigment_residue;
   if (stamp.pressure >= 0 && brush.absorb == 0)
-    plan.lift.reach_frac = std::clamp(pressure * (0.5f + stiffness), 0.0f, 1.0f);
+    plan.pick_up.penetration_frac = std::clamp(pressure * (0.5f + stiffness), 0.0f, 1.0f);
   plan.mix = {0.5f * pressure * share_over(settings.layer_mixing, diameters),
               model.pigment_residue};
-  plan.lay = {model.max_medium_m, hand.stroke_id};
+  plan.deposit = {model.max_medium_m, hand.stroke_id};
   // A tip finer than the grid is drawn as wide as the grid can show, and as much thinner.
   const float unpressed = stamp.diameter_m * brush.size_at(pressure);
   const float thin = std::min(1.0f, unpressed / plan.pose.diameter_m);
-  // Fewer hairs lay less, though not in proportion: each is fed by those beside it. Speed leaves
+  // Fewer bristles lay less, though not in proportion: each is fed by those beside it. Speed leaves
   // the amount alone.
   const float unhurried = hand.tip.mean(brush.splay_at(pressure));
   const float mean = 0.5f * (unhurried + hand.tip.mean()) * plan.mean / unhurried;
@@ -140,8 +140,8 @@ void Transfer::set_rates(const Stamp& stamp, const BrushInHand& hand, const Mode
                      (model.film_medium_m * settings.medium_frac + kWeaveReach_m);
   plan.push_m = model.brush_push * stamp.travel_m;
   if (brush.scrapes) {
-    plan.lift.share_frac = 1;  // stamp_lift_weight() says how much
-    plan.lift.reach_frac = -1;
+    plan.pick_up.share_frac = 1;  // stamp_pick_up_weight() says how much
+    plan.pick_up.penetration_frac = -1;
     plan.scrape_frac = share_over(0.97f, diameters / static_cast<double>(kBladeThickness));
   }
 }
@@ -162,19 +162,19 @@ void Transfer::find_heights(const BrushInHand& hand, StampPlan& plan) const {
   const float pressure = plan.stamp.pressure < 0 ? 1.0f : std::min(plan.stamp.pressure, 1.0f);
   if (plan.scrape_frac > 0) {
     plan.scrape_height_m = static_cast<float>(base / value) + kBladeRide_m +
-                           (1 - pressure) * kBladeLift_m + hand.load.paint[0] / kFilmsHeld;
+                           (1 - pressure) * kBladeClearance_m + hand.load.paint[0] / kFilmsHeld;
     return;
   }
   const float stiffness = hand.brush.stiffness < 0 ? hand.settings.stiffness : hand.brush.stiffness;
   const float contact = plan.state.density_frac * std::min(1.0f, 0.3f + 1.7f * pressure) *
                         (1.25f - 0.5f * stiffness) / speed_factor(plan.stamp);
-  // At 0.8 the hairs come 2.8 deviations deep: everywhere. At 0.24 they touch the higher half.
+  // At 0.8 the bristles come 2.8 deviations deep: everywhere. At 0.24 they touch the higher half.
   const float offset = 5 * contact - 1.2f;
   if (offset >= 2.8f) return;
   const double variance = square / value - plan.mean_height_m * plan.mean_height_m;
   const float deviation = static_cast<float>(std::sqrt(std::max(0.0, variance)));
   plan.catch_per_m = 1 / std::max(deviation, kLeastRelief_m);
-  // Thick wet paint does not carry the hairs: they sink into it. Else a hole in it, once there,
+  // Thick wet paint does not carry the bristles: they sink into it. Else a hole in it, once there,
   // would never be painted over.
   const float wet_m = static_cast<float>((height - base) / value);
   plan.catch_offset = offset + plan.catch_per_m * std::max(0.0f, wet_m - kCarries_m);
@@ -208,8 +208,8 @@ void Transfer::prepare(const FootprintBox& box, int stride) {
   };
   grow(weight_, cells);
   grow(share_, cells);
-  grow(touch_, cells);
-  grow(grasp_, cells);
+  grow(hold_, cells);
+  grow(pick_up_weight_, cells);
   grow(paint_, cells * static_cast<std::size_t>(stride));
   grow(row_paint_, rows * parts_);
   grow(row_, rows);
@@ -223,7 +223,7 @@ void Transfer::for_rows(const StampPlan& plan, void (Transfer::*pass)(const Stam
     (this->*pass)(plan, 0, rows);
     return;
   }
-  struct Job {
+  struct RowTask {
     Transfer* transfer;
     const StampPlan* plan;
     void (Transfer::*pass)(const StampPlan&, int, int);
@@ -236,7 +236,7 @@ void Transfer::for_rows(const StampPlan& plan, void (Transfer::*pass)(const Stam
 
 /// The tip's value per cell, and what the canvas is like under it.
 void Transfer::measure_rows(const StampPlan& plan, int begin, int end) {
-  const HairTable& grip = plan.tip->grip_table();
+  const BristleTable& grip = plan.tip->grip_table();
   for (int y = begin; y < end; ++y) {
     const int canvas_y = plan.box.y + y;
     const TipRow tip = tip_row(plan.pose, plan.box, state_.geometry, canvas_y);
@@ -244,12 +244,12 @@ void Transfer::measure_rows(const StampPlan& plan, int begin, int end) {
     const float* base = state_.base_m.row(canvas_y) + plan.box.x;
     const float* depth = state_.depth_m.row(canvas_y) + plan.box.x;
     const std::uint32_t* stroke = state_.stroke.row(canvas_y) + plan.box.x;
-    print_.row(tip, 0, {weight_.data() + at, static_cast<std::size_t>(plan.box.width)});
+    footprint_.row(tip, 0, {weight_.data() + at, static_cast<std::size_t>(plan.box.width)});
     RowSums sums;
     TouchedCells touched{plan.box.width, 0};
     for (int x = 0; x < plan.box.width; ++x) {
       const float s = weight_[at + static_cast<std::size_t>(x)];
-      touch_[at + static_cast<std::size_t>(x)] = stamp_touch(plan, grip, s, tip.v(x));
+      hold_[at + static_cast<std::size_t>(x)] = stamp_hold(plan, grip, s, tip.v(x));
       if (!(s > 0)) continue;
       touched.begin = std::min(touched.begin, x);
       touched.end = x + 1;
@@ -270,7 +270,7 @@ void Transfer::measure_rows(const StampPlan& plan, int begin, int end) {
   }
 }
 
-Transfer::Strip Transfer::strip_of(const StampPlan& plan, int y) const {
+Transfer::TouchedRun Transfer::strip_of(const StampPlan& plan, int y) const {
   const TouchedCells& cells = touched_[static_cast<std::size_t>(y)];
   return {plan.box.x + cells.begin, plan.box.y + y,
           static_cast<std::size_t>(y) * static_cast<std::size_t>(plan.box.width) +
@@ -278,7 +278,7 @@ Transfer::Strip Transfer::strip_of(const StampPlan& plan, int y) const {
           static_cast<std::size_t>(cells.end - cells.begin)};
 }
 
-float* Transfer::strip_paint(const StampPlan& plan, const Strip& strip) {
+float* Transfer::strip_paint(const StampPlan& plan, const TouchedRun& strip) {
   return paint_.data() + strip.at * static_cast<std::size_t>(plan.stride);
 }
 
@@ -287,9 +287,9 @@ std::span<double> Transfer::strip_sums(int y) {
 }
 
 /// Contact levelling (A22): less on bumps, more in hollows; and the lift.
-void Transfer::lift_rows(const StampPlan& plan, int begin, int end) {
+void Transfer::pick_up_rows(const StampPlan& plan, int begin, int end) {
   for (int y = begin; y < end; ++y) {
-    const Strip strip = strip_of(plan, y);
+    const TouchedRun strip = strip_of(plan, y);
     const float* base = state_.base_m.row(strip.y) + strip.x;
     float* depth = state_.depth_m.row(strip.y) + strip.x;
     double share = 0;
@@ -304,23 +304,26 @@ void Transfer::lift_rows(const StampPlan& plan, int begin, int end) {
       const float levelled = weight_[at] * stamp_level_factor(plan, at_end, height);
       share += static_cast<double>(levelled);
       share_[at] = levelled * stamp_caught(plan, height);
-      if (scrapes) grasp_[at] = stamp_lift_weight(plan, touch_[at], at_end, {depth[i], height});
+      if (scrapes)
+        pick_up_weight_[at] = stamp_pick_up_weight(plan, hold_[at], at_end, {depth[i], height});
     }
     row_[static_cast<std::size_t>(y)].share = share;
-    const std::vector<float>& hold = scrapes ? grasp_ : touch_;
-    lift_row(plan.lift, planes_.row(strip.x, strip.y), {hold.data() + strip.at, strip.cells}, depth,
-             strip_paint(plan, strip), plan.stride, strip_sums(y));
+    const std::vector<float>& weight = scrapes ? pick_up_weight_ : hold_;
+    pick_up_row(plan.pick_up, planes_.row(strip.x, strip.y),
+                {weight.data() + strip.at, strip.cells}, depth, strip_paint(plan, strip),
+                plan.stride, strip_sums(y));
   }
 }
 
 /// The lifted paint arrives in the brush, and the palette's paint with it (R22).
-void Transfer::take_up(const StampPlan& plan, const BrushInHand& hand, Reservoir& reservoir) {
+void Transfer::pick_up_and_refill(const StampPlan& plan, const BrushInHand& hand,
+                                  Reservoir& reservoir) {
   add_to(plan, account_.picked_up);
-  const bool lifted =
+  const bool picked_up =
       std::any_of(paint_sum_.begin(), paint_sum_.end(), [](double sum) { return sum > 0; });
-  if (lifted)
-    gather_lifted({paint_, plan.stride, touched_}, plan.pose, plan.box, state_.geometry, hand.tip,
-                  reservoir);
+  if (picked_up)
+    collect_picked_up({paint_, plan.stride, touched_}, plan.pose, plan.box, state_.geometry,
+                      hand.tip, reservoir);
   const double distances = static_cast<double>(plan.stamp.travel_m) /
                            static_cast<double>(kRefillDiameters * plan.pose.diameter_m);
   const float refill = hand.brush.film > 0 ? share_over(hand.settings.refill, distances) : 0;
@@ -328,9 +331,9 @@ void Transfer::take_up(const StampPlan& plan, const BrushInHand& hand, Reservoir
 }
 
 /// Lays the film and the surplus, mixes the layers, marks the contact.
-void Transfer::lay_rows(const StampPlan& plan, int begin, int end) {
+void Transfer::deposit_rows(const StampPlan& plan, int begin, int end) {
   for (int y = begin; y < end; ++y) {
-    const Strip strip = strip_of(plan, y);
+    const TouchedRun strip = strip_of(plan, y);
     const TipRow tip = tip_row(plan.pose, plan.box, state_.geometry, strip.y);
     float* paint = strip_paint(plan, strip);
     double returned = 0;
@@ -342,17 +345,17 @@ void Transfer::lay_rows(const StampPlan& plan, int begin, int end) {
       }
       const int x = strip.x - plan.box.x + static_cast<int>(i);
       plan.reservoir->sample(tip.u(x), tip.v(x), paint);
-      const float content = plan.load->content_of(paint);
-      const LaidContent laid = stamp_laid(plan, content, weight_[strip.at + i], share);
-      for (int k = 0; k < plan.stride; ++k) paint[k] *= laid.part;
-      returned += static_cast<double>(laid.returned);
+      const float volume = plan.load->volume_of(paint);
+      const DepositedVolume deposited = stamp_deposited(plan, volume, weight_[strip.at + i], share);
+      for (int k = 0; k < plan.stride; ++k) paint[k] *= deposited.part;
+      returned += static_cast<double>(deposited.returned);
     }
     row_[static_cast<std::size_t>(y)].returned = returned;
     const LayerRow row = planes_.row(strip.x, strip.y);
-    lay_paint_row(plan.lay, row, {state_.depth_m.row(strip.y) + strip.x, strip.cells},
-                  state_.stroke.row(strip.y) + strip.x, strip_paint(plan, strip), plan.stride,
-                  strip_sums(y));
-    mix_layers_row(plan.mix, row, {touch_.data() + strip.at, strip.cells});
+    deposit_row(plan.deposit, row, {state_.depth_m.row(strip.y) + strip.x, strip.cells},
+                state_.stroke.row(strip.y) + strip.x, strip_paint(plan, strip), plan.stride,
+                strip_sums(y));
+    mix_layers_row(plan.mix, row, {hold_.data() + strip.at, strip.cells});
     touch_row(
         plan, strip.y,
         {weight_.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(plan.box.width),
@@ -361,7 +364,8 @@ void Transfer::lay_rows(const StampPlan& plan, int begin, int end) {
 }
 
 /// Keeps the books, takes the surplus that was laid out of the brush, and dries the brush (R24).
-void Transfer::settle(const StampPlan& plan, const BrushInHand& hand, Reservoir& reservoir) {
+void Transfer::return_surplus(const StampPlan& plan, const BrushInHand& hand,
+                              Reservoir& reservoir) {
   add_to(plan, account_.deposited);
   double returned = 0, ahead = 0, ahead_dry = 0;
   for (int y = 0; y < plan.box.height; ++y) {

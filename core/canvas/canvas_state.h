@@ -36,9 +36,9 @@ struct CanvasState {
   Field<std::uint32_t>
       stroke;             // id of the last stroke that touched the cell or ran onto it, 0 = none
   std::int64_t step = 0;  // simulation steps done so far
-  // Which tiles of the conservative scheme sleep, and since which gravity (its tiles.h): part of
-  // the state and of a dump. Empty = all awake: whoever changes planes by anything but a
-  // stamp (drying, loading an image, clearing) empties it.
+  // Which tiles of the conservative scheme sleep, and since which gravity (its sleep_tiles.h): part
+  // of the state and of a dump. Empty = all awake: whoever changes planes by anything but a stamp
+  // (drying, loading an image, clearing) empties it.
   std::vector<float> sleep;
 
   Field<float>& channel(int layer, int c) { return pigment[plane_index(layer, c)]; }

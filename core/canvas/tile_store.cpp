@@ -30,15 +30,15 @@ Error scratch_error(const std::string& folder, int error_number) {
 
 TileStore::TileStore(const TileStoreOptions& options)
     : options_(options),
-      stride_(whole_pages(options.block_floats * sizeof(float))),
-      segment_blocks_(
+      stride_(whole_pages(options.buffer_floats * sizeof(float))),
+      segment_buffers_(
           static_cast<std::uint32_t>(std::max<std::size_t>(1, kSegmentBytes / stride_))),
       segments_(kMostSegments) {
-  PENTIMENTO_CHECK(options.block_floats > 0);
+  PENTIMENTO_CHECK(options.buffer_floats > 0);
 }
 
 TileStore::~TileStore() {
-  for (std::size_t i = 0; i < mapped_; ++i) munmap(segments_[i].base, segment_blocks_ * stride_);
+  for (std::size_t i = 0; i < mapped_; ++i) munmap(segments_[i].base, segment_buffers_ * stride_);
   if (file_ >= 0) close(file_);
 }
 
@@ -74,7 +74,7 @@ Result<void> TileStore::reserve(std::int64_t offset, std::size_t bytes) const {
 }
 
 Result<void> TileStore::add_segment() {
-  const std::size_t bytes = segment_blocks_ * stride_;
+  const std::size_t bytes = segment_buffers_ * stride_;
   const auto out_of_memory = [&](const char* why) {
     return Error{ErrorCode::kLimit, fmt::format("no memory for the canvas beyond {} MB: {}",
                                                 mapped_ * bytes / 1'000'000, why)};
@@ -89,74 +89,75 @@ Result<void> TileStore::add_segment() {
                     file_ >= 0 ? offset : 0);
   if (base == MAP_FAILED) return out_of_memory(std::strerror(errno));
   segments_[mapped_].base = static_cast<char*>(base);
-  segments_[mapped_].stamp = std::make_unique<Stamp[]>(segment_blocks_);
+  segments_[mapped_].last_use = std::make_unique<LastUse[]>(segment_buffers_);
   ++mapped_;
   return {};
 }
 
-Result<TileStore::Block> TileStore::allocate() {
+Result<TileStore::Buffer> TileStore::allocate() {
   const std::lock_guard<std::mutex> lock(mutex_);
-  Block block = next_;
+  Buffer buffer = next_;
   if (!free_.empty()) {
-    block = free_.back();
+    buffer = free_.back();
     if (file_ >= 0) {
-      if (Result<void> reserved = reserve(offset_of(block), stride_); !reserved)
+      if (Result<void> reserved = reserve(offset_of(buffer), stride_); !reserved)
         return reserved.error();
     }
     free_.pop_back();
   } else {
-    if (block == mapped_ * segment_blocks_) {
+    if (buffer == mapped_ * segment_buffers_) {
       if (Result<void> added = add_segment(); !added) return added.error();
     }
     ++next_;
   }
   ++used_;
-  touch(block);
-  return block;
+  mark_used(buffer);
+  return buffer;
 }
 
-void TileStore::free(Block block) {
+void TileStore::free(Buffer buffer) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (stamp_of(block).exchange(0) != 0) --held_;
+  if (last_use_of(buffer).exchange(0) != 0) --held_;
   --used_;
-  free_.push_back(block);
+  free_.push_back(buffer);
   if (file_ < 0) {
-    madvise(data(block), stride_, MADV_DONTNEED);
-  } else if (fallocate(file_, FALLOC_FL_PUNCH_HOLE | FALLOC_FL_KEEP_SIZE, offset_of(block),
+    madvise(data(buffer), stride_, MADV_DONTNEED);
+  } else if (fallocate(file_, FALLOC_FL_PUNCH_HOLE | FALLOC_FL_KEEP_SIZE, offset_of(buffer),
                        static_cast<off_t>(stride_)) != 0) {
-    std::memset(data(block), 0, stride_);  // a file system without holes
+    std::memset(data(buffer), 0, stride_);  // a file system without holes
   }
 }
 
-float* TileStore::data(Block block) const {
-  return reinterpret_cast<float*>(segments_[block / segment_blocks_].base +
-                                  block % segment_blocks_ * stride_);
+float* TileStore::data(Buffer buffer) const {
+  return reinterpret_cast<float*>(segments_[buffer / segment_buffers_].base +
+                                  buffer % segment_buffers_ * stride_);
 }
 
-void TileStore::touch(Block block) {
-  if (stamp_of(block).exchange(trims_, std::memory_order_relaxed) == 0) ++held_;
+void TileStore::mark_used(Buffer buffer) {
+  if (last_use_of(buffer).exchange(trims_, std::memory_order_relaxed) == 0) ++held_;
 }
 
-void TileStore::drop(Block block) const {
+void TileStore::drop(Buffer buffer) const {
   // The kernel frees pages of the file once they are written: tell it to begin.
-  sync_file_range(file_, offset_of(block), static_cast<off_t>(stride_), SYNC_FILE_RANGE_WRITE);
-  madvise(data(block), stride_, MADV_DONTNEED);
+  sync_file_range(file_, offset_of(buffer), static_cast<off_t>(stride_), SYNC_FILE_RANGE_WRITE);
+  madvise(data(buffer), stride_, MADV_DONTNEED);
 }
 
 void TileStore::trim() {
   ++trims_;
   const std::int64_t budget = options_.resident_bytes;
   if (file_ < 0 || budget <= 0 || held_bytes() <= budget) return;
-  std::vector<std::pair<std::uint64_t, Block>> held;
-  for (Block block = 0; block < next_; ++block) {
-    if (const std::uint64_t stamp = stamp_of(block); stamp != 0) held.emplace_back(stamp, block);
+  std::vector<std::pair<std::uint64_t, Buffer>> held;
+  for (Buffer buffer = 0; buffer < next_; ++buffer) {
+    if (const std::uint64_t last_use = last_use_of(buffer); last_use != 0)
+      held.emplace_back(last_use, buffer);
   }
   std::sort(held.begin(), held.end());
-  for (const auto& [stamp, block] : held) {
+  for (const auto& [last_use, buffer] : held) {
     if (held_bytes() <= budget) return;
-    stamp_of(block) = 0;
+    last_use_of(buffer) = 0;
     --held_;
-    drop(block);
+    drop(buffer);
   }
 }
 

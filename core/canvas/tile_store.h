@@ -1,7 +1,7 @@
 #pragma once
-// Memory for the tiles of a large canvas: blocks of floats of one size, in anonymous memory or in a
-// file that the kernel may write out (it has no name, so nothing is left behind). Blocks keep their
-// address until freed. All but trim() may be called from several threads at once.
+// Memory for the tiles of a large canvas: buffers of floats of one size, in anonymous memory or in
+// a file that the kernel may write out (it has no name, so nothing is left behind). Buffers keep
+// their address until freed. All but trim() may be called from several threads at once.
 
 #include <atomic>
 #include <cstddef>
@@ -16,14 +16,14 @@
 namespace pentimento {
 
 struct TileStoreOptions {
-  std::size_t block_floats = 128 * 128;
+  std::size_t buffer_floats = 128 * 128;
   std::string scratch;              // a folder; empty: anonymous memory
   std::int64_t resident_bytes = 0;  // what trim() leaves of a scratch file in memory; 0 = all
 };
 
 class TileStore {
  public:
-  using Block = std::uint32_t;
+  using Buffer = std::uint32_t;
 
   /// Nothing is reserved before the first allocate(). Errors: kIo (the folder takes no file).
   static Result<std::unique_ptr<TileStore>> open(const TileStoreOptions& options);
@@ -31,54 +31,54 @@ class TileStore {
   TileStore(const TileStore&) = delete;
   TileStore& operator=(const TileStore&) = delete;
 
-  /// A block of zeros, touched. Its space is reserved here, so that no later write can fail.
+  /// A buffer of zeros, touched. Its space is reserved here, so that no later write can fail.
   /// Errors: kLimit (no memory), kIo (the disk of the scratch folder is full or fails).
-  Result<Block> allocate();
-  /// Gives back the block's memory, in a scratch file its disk too; the block may come again.
-  void free(Block block);
-  /// block_floats floats, at the start of a page.
-  float* data(Block block) const;
+  Result<Buffer> allocate();
+  /// Gives back the buffer's memory, in a scratch file its disk too; the buffer may come again.
+  void free(Buffer buffer);
+  /// buffer_floats floats, at the start of a page.
+  float* data(Buffer buffer) const;
 
-  /// Notes that the block is in use now.
-  void touch(Block block);
-  /// Gives back the memory of the blocks that were touched longest ago (between two calls of trim
+  /// Notes that the buffer is in use now.
+  void mark_used(Buffer buffer);
+  /// Gives back the memory of the buffers that were touched longest ago (between two calls of trim
   /// all count as equally long ago) until resident_bytes are held. Their values stay, in the file.
-  /// Call it while no thread works on blocks. Without scratch or budget it does nothing.
+  /// Call it while no thread works on buffers. Without scratch or budget it does nothing.
   void trim();
 
-  std::int64_t blocks() const { return used_.load(); }
-  /// Of all blocks, wherever they are.
+  std::int64_t buffers() const { return used_.load(); }
+  /// Of all buffers, wherever they are.
   std::int64_t bytes() const { return used_.load() * static_cast<std::int64_t>(stride_); }
-  /// Of the blocks that count as held in memory: touched since they were given back.
+  /// Of the buffers that count as held in memory: touched since they were given back.
   std::int64_t held_bytes() const { return held_.load() * static_cast<std::int64_t>(stride_); }
 
  private:
-  using Stamp = std::atomic<std::uint64_t>;  // trims done when last touched, from 1; 0 = not held
+  using LastUse = std::atomic<std::uint64_t>;  // trims done when last touched, from 1; 0 = not held
   struct Segment {
     char* base = nullptr;
-    std::unique_ptr<Stamp[]> stamp;  // per block
+    std::unique_ptr<LastUse[]> last_use;  // per buffer
   };
   explicit TileStore(const TileStoreOptions& options);
   Result<void> open_file();
   Result<void> add_segment();
   Result<void> reserve(std::int64_t offset, std::size_t bytes) const;
-  Stamp& stamp_of(Block block) const {
-    return segments_[block / segment_blocks_].stamp[block % segment_blocks_];
+  LastUse& last_use_of(Buffer buffer) const {
+    return segments_[buffer / segment_buffers_].last_use[buffer % segment_buffers_];
   }
-  std::int64_t offset_of(Block block) const {
-    return static_cast<std::int64_t>(block) * static_cast<std::int64_t>(stride_);
+  std::int64_t offset_of(Buffer buffer) const {
+    return static_cast<std::int64_t>(buffer) * static_cast<std::int64_t>(stride_);
   }
-  void drop(Block block) const;
+  void drop(Buffer buffer) const;
 
   TileStoreOptions options_;
-  std::size_t stride_;  // bytes of a block, whole pages
-  std::uint32_t segment_blocks_;
+  std::size_t stride_;  // bytes of a buffer, whole pages
+  std::uint32_t segment_buffers_;
   int file_ = -1;  // -1: anonymous
   std::mutex mutex_;
   std::vector<Segment> segments_;  // as many as there may ever be, so that none moves
   std::size_t mapped_ = 0;         // segments that exist
-  std::vector<Block> free_;
-  Block next_ = 0;  // first block never handed out
+  std::vector<Buffer> free_;
+  Buffer next_ = 0;  // first buffer never handed out
   std::atomic<std::int64_t> used_{0}, held_{0};
   std::uint64_t trims_ = 1;
 };

@@ -1,6 +1,6 @@
 #pragma once
 // How far a step carried paint over each face of the grid: what a scheme tells whoever moves the
-// same paint on a finer canvas. A record: it changes nothing of the step.
+// same paint on a detail canvas. A record: it changes nothing of the step.
 
 #include <vector>
 
@@ -27,9 +27,9 @@ struct PaintEdges {
 struct StepInput;
 
 /// Follows the motion of paint, part of a step by part of a step.
-class PaintFollower {
+class AdvectionListener {
  public:
-  virtual ~PaintFollower() = default;
+  virtual ~AdvectionListener() = default;
   /// Where the scheme writes its edges; all 0 when it begins, and put back to 0 by `moved`.
   virtual PaintEdges& edges() = 0;
   /// The scheme has moved the paint of `state` in the cells of `runs`, first along one axis, then

@@ -23,7 +23,7 @@ struct StepInput {
   const BrushContact& contact;
   const std::vector<float>& amount;  // per channel: share in the total pigment amount (m of A26)
   const Threads& threads;
-  PaintFollower* follower = nullptr;  // is told how paint moves; may be none
+  AdvectionListener* listener = nullptr;  // is told how paint moves; may be none
 };
 // gravity_m_s2 is what an accelerometer reads (specific force), so paint accelerates AGAINST it:
 // u_t = -g_x. Held upright it reads (0,+9.81,0) with y up, (0,-9.81,0) in core's frame, and paint

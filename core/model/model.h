@@ -1,5 +1,5 @@
 #pragma once
-// The parameters of the simulation: the paper's Table 1 and the settled readings of what it leaves
+// The parameters of the simulation: the paper's Table 1 and the chosen readings of what it leaves
 // open. Plain numbers in SI; no behaviour. A log's header sets them under the names of the fields
 // without their unit suffix (docs/action-log.md has unit, range, default and reason of each).
 

@@ -143,14 +143,14 @@ double total(const Lanes& lanes) {
 }
 
 /// Pixels whose direction may lie within `reach_rad` of direction d, as runs of one row each.
-struct Reach {
+struct PixelRange {
   int first_row, rows;
   int first_column, columns;  // may go on past the row's end, round to its beginning
 };
-Reach reach(const Sources& s, const std::array<double, 3>& d, double reach_rad) {
+PixelRange pixels_near(const Sources& s, const std::array<double, 3>& d, double reach_rad) {
   const double down = std::acos(std::clamp(d[1], -1.0, 1.0));  // from the top
   const double row_rad = kPi / s.height, column_rad = 2 * kPi / s.width;
-  Reach out{};
+  PixelRange out{};
   out.first_row = std::max(0, static_cast<int>((down - reach_rad) / row_rad));
   const int end = std::min(s.height, static_cast<int>((down + reach_rad) / row_rad) + 1);
   out.rows = end - out.first_row;
@@ -195,7 +195,7 @@ std::array<float, 3> shown(const Sources& s, const std::array<float, 3>& n, doub
                                           2 * z * static_cast<double>(n[1]), 2 * z * z - 1};
   if (s.texel_rad() > kCoarsest * a) return radiance(s, mirrored);
   const Lobe lobe{n[0], n[1], n[2], static_cast<float>(1 / (a * a))};
-  const Reach near = reach(s, mirrored, 2 * std::atan(kWidest * a) + s.texel_rad());
+  const PixelRange near = pixels_near(s, mirrored, 2 * std::atan(kWidest * a) + s.texel_rad());
   Sums sums;
   weights.resize(static_cast<std::size_t>(s.width));
   const auto run = [&](std::size_t at, std::size_t count) {

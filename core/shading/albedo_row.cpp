@@ -15,7 +15,7 @@ namespace {
 
 /// Cells that are computed together: their sums stay in the nearest cache.
 constexpr std::size_t kChunk = 256;
-using Chunk = std::array<float, kChunk>;
+using CellChunk = std::array<float, kChunk>;
 
 PENTIMENTO_KERNEL
 void add_scaled(const float* amount, float share, std::size_t n, float* total) {
@@ -82,9 +82,9 @@ void add_band(const float* R, float k1, float k2, const float* rgb, std::size_t 
 }
 
 /// One layer of a chunk that has paint somewhere.
-struct Layer {
+struct LayerColor {
   std::size_t first_amount = 0;
-  Chunk factor, there;
+  CellChunk factor, there;
 };
 
 /// The layers of the chunk that begins at cell x0.
@@ -93,17 +93,17 @@ class Layers {
   Layers(const AlbedoOptics& optics, const AlbedoCells& cells, std::size_t x0, std::size_t n)
       : cells_(cells), x0_(x0), n_(n) {
     const auto channels = static_cast<std::size_t>(optics.paint.amount.size());
-    Chunk occupied;
+    CellChunk occupied;
     occupied.fill(0);
-    std::array<Chunk, kMaxLayers> totals;
+    std::array<CellChunk, kMaxLayers> totals;
     for (std::size_t first = 0; first < cells.amount.size(); first += channels) {
-      Chunk& total = totals[count_];
+      CellChunk& total = totals[count_];
       total.fill(0);
       for (std::size_t c = 0; c < channels; ++c) {
         const float share = optics.paint.amount(static_cast<Eigen::Index>(c));
         if (share != 0) add_scaled(cells.amount[first + c] + x0, share, n, total.data());
       }
-      Layer& layer = layers_[count_];
+      LayerColor& layer = layers_[count_];
       find_paint(total.data(), n, layer.there.data());
       if (std::find(layer.there.begin(), layer.there.begin() + n, 1.0f) == layer.there.begin() + n)
         continue;
@@ -141,8 +141,8 @@ class Layers {
   const AlbedoCells& cells_;
   std::size_t x0_, n_;
   std::size_t count_ = 0;
-  std::array<Layer, kMaxLayers> layers_;
-  Chunk K_, S_;
+  std::array<LayerColor, kMaxLayers> layers_;
+  CellChunk K_, S_;
 };
 
 }  // namespace
@@ -161,7 +161,7 @@ void albedo_row(const AlbedoOptics& optics, const AlbedoCells& cells, std::span<
   PENTIMENTO_CHECK(texels.size() == 4 * width &&
                    cells.amount.size() <= static_cast<std::size_t>(kMaxLayers) * channels);
   PENTIMENTO_CHECK(static_cast<Eigen::Index>(cells.dry.size()) == optics.rgb.cols());
-  Chunk R, red, green, blue;
+  CellChunk R, red, green, blue;
   for (std::size_t x0 = 0; x0 < width; x0 += kChunk) {
     const std::size_t n = std::min(kChunk, width - x0);
     Layers layers(optics, cells, x0, n);

@@ -13,8 +13,8 @@
 namespace pentimento {
 
 /// How far it looks: ridges of paint are a millimetre or two high.
-inline constexpr float kHorizonReach_m = 0.006f;
-inline constexpr int kMostReach_cells = 64;
+inline constexpr float kHorizonRadius_m = 0.006f;
+inline constexpr int kMostHorizonRadius_cells = 64;
 inline constexpr int kSkyDirections = 8;
 
 /// Cells of relief needed on every side: the reach on the axis with the smaller cells, and one for

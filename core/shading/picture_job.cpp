@@ -39,7 +39,7 @@ class TileTextures {
     columns_.upload(static_cast<int>(x.table.size() / 2), 1, x.table.data());
     rows_.upload(static_cast<int>(y.table.size() / 2), 1, y.table.data());
     const CellWindow window{x.first_cell, y.first_cell, x.cells, y.cells};
-    pack_ground(canvas_, optics_, window, threads_, texels_);
+    pack_albedo(canvas_, optics_, window, threads_, texels_);
     ground_.upload(window.width, window.height, texels_.data());
     const CellWindow wider{window.x - border_, window.y - border_, window.width + 2 * border_,
                            window.height + 2 * border_};

@@ -84,7 +84,7 @@ class ColourRows {
 
 }  // namespace
 
-void pack_ground(const CanvasSource& canvas, const AlbedoOptics& optics, const CellWindow& window,
+void pack_albedo(const CanvasSource& canvas, const AlbedoOptics& optics, const CellWindow& window,
                  const Threads& threads, std::vector<float>& texels) {
   texels.resize(4 * cells(window));
   const bool has_paint = !canvas.empty(WindowRows(canvas, window).on_grid());

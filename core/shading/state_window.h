@@ -11,7 +11,7 @@ namespace pentimento {
 
 /// Colour of all paint, linear red, green and blue, and the depth of wet paint (m): four floats a
 /// cell.
-void pack_ground(const CanvasSource& canvas, const AlbedoOptics& optics, const CellWindow& window,
+void pack_albedo(const CanvasSource& canvas, const AlbedoOptics& optics, const CellWindow& window,
                  const Threads& threads, std::vector<float>& texels);
 /// Height (m) and thickness of all paint, dry and wet (m): two floats a cell.
 void pack_relief(const CanvasSource& canvas, const CellWindow& window, const Threads& threads,

@@ -13,8 +13,8 @@
 namespace pentimento {
 
 namespace {
-struct Touch {
-  explicit Touch(int channels) : reservoir(channels) {}
+struct TouchState {
+  explicit TouchState(int channels) : reservoir(channels) {}
   Reservoir reservoir;
   std::uint32_t stroke_id = 0;
   bool down = false;
@@ -78,7 +78,7 @@ struct Simulation::Impl {
     scheme = make_scheme(model.scheme, setup.geometry, state.layers, state.channels);
     contact = make_brush_contact(setup.geometry.width, setup.geometry.height);
     transfer.emplace(state, contact, account, amount, threads);
-    transfer->set_observer(follower);
+    transfer->set_listener(listener);
   }
 
   /// What the sliders and the colour say the brush holds.
@@ -101,7 +101,7 @@ struct Simulation::Impl {
   }
 
   /// What lays no film starts clean, not dipped.
-  void dip(Touch& touch) const {
+  void dip(TouchState& touch) const {
     if (brush.film > 0) {
       touch.reservoir.fill(load);
     } else {
@@ -126,7 +126,7 @@ struct Simulation::Impl {
   BrushContact contact;
   std::unique_ptr<FluidScheme> scheme;
   std::optional<Transfer> transfer;
-  CanvasFollower* follower = nullptr;
+  CanvasListener* listener = nullptr;
 
   BrushDefinition brush;
   TipRack tips;
@@ -134,7 +134,7 @@ struct Simulation::Impl {
   BrushSettings settings;
   std::vector<Colour> colours = {{0, 0, kReservoirRows}};  // the later over the earlier
   PaintLoad load;
-  std::map<int, Touch> touches;
+  std::map<int, TouchState> touches;
   Vec3f gravity_m_s2{0, 0, 9.81f};
   std::int64_t stamps = 0;
 };
@@ -176,7 +176,7 @@ void Simulation::set_color(int pigment, float from, float to) {
 
 void Simulation::begin_stroke(int touch_id, std::uint32_t stroke_id) {
   const auto [found, is_new] = impl_->touches.try_emplace(touch_id, impl_->state.channels);
-  Touch& touch = found->second;
+  TouchState& touch = found->second;
   if (is_new) impl_->dip(touch);
   touch.down = true;
   touch.stroke_id = stroke_id;
@@ -198,9 +198,9 @@ void Simulation::end_stroke(int touch_id) {
   if (touch != impl_->touches.end()) touch->second.down = false;
 }
 
-void Simulation::set_follower(CanvasFollower* follower) {
-  impl_->follower = follower;
-  impl_->transfer->set_observer(follower);
+void Simulation::set_listener(CanvasListener* listener) {
+  impl_->listener = listener;
+  impl_->transfer->set_listener(listener);
 }
 
 void Simulation::set_gravity(Vec3f gravity_m_s2) {
@@ -215,15 +215,15 @@ void Simulation::set_model(const Model& model) {
 }
 
 void Simulation::dry() {
-  if (impl_->follower != nullptr)
-    impl_->follower->drying(impl_->state, impl_->setup.basis, impl_->model);
+  if (impl_->listener != nullptr)
+    impl_->listener->drying(impl_->state, impl_->setup.basis, impl_->model);
   dry_canvas(impl_->state, impl_->setup.basis, impl_->model, impl_->threads, impl_->account.dried);
   impl_->state.sleep.clear();
 }
 
 void Simulation::clear() {
   impl_->fresh_canvas();
-  if (impl_->follower != nullptr) impl_->follower->cleared();
+  if (impl_->listener != nullptr) impl_->listener->cleared();
 }
 
 void Simulation::load(const std::vector<Field<float>>& reflectance) {
@@ -234,7 +234,7 @@ void Simulation::load(const std::vector<Field<float>>& reflectance) {
                      reflectance[band].height() == impl_->setup.geometry.height);
     impl_->state.reflectance[band] = reflectance[band].clone();
   }
-  if (impl_->follower != nullptr) impl_->follower->cleared();
+  if (impl_->listener != nullptr) impl_->listener->cleared();
 }
 
 void Simulation::restore(CanvasState state) {
@@ -246,16 +246,16 @@ void Simulation::restore(CanvasState state) {
   impl_->account = empty_account(impl_->state.channels);
   impl_->account.deposited = wet_paint(impl_->state);
   impl_->adopt_state();
-  if (impl_->follower != nullptr) impl_->follower->restored(impl_->state);
+  if (impl_->listener != nullptr) impl_->listener->restored(impl_->state);
 }
 
 bool Simulation::step() {
   Impl& m = *impl_;
   const bool touched = !m.contact.empty();
   const StepInput in{m.model,  m.gravity_m_s2, m.setup.dt_s, m.contact,
-                     m.amount, m.threads,      m.follower};
+                     m.amount, m.threads,      m.listener};
   const bool moved = m.scheme->step(m.state, in);
-  if (m.follower != nullptr) m.follower->stepped(m.state, in);
+  if (m.listener != nullptr) m.listener->stepped(m.state, in);
   pentimento::clear(m.contact);
   ++m.state.step;
   return moved || touched;

@@ -19,7 +19,7 @@
 #include "core/fluid/scheme.h"
 #include "core/model/model.h"
 #include "core/optics/channels.h"
-#include "core/simulation/canvas_follower.h"
+#include "core/simulation/canvas_listener.h"
 
 namespace pentimento {
 
@@ -53,7 +53,7 @@ class Simulation {
   void stamp(int touch_id, const Stamp& stamp);
   void end_stroke(int touch_id);
   /// Told of everything that happens to the canvas; nullptr: nobody. Outlives the simulation.
-  void set_follower(CanvasFollower* follower);
+  void set_listener(CanvasListener* listener);
 
   // The tablet and its controls.
   void set_gravity(Vec3f gravity_m_s2);

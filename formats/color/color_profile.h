@@ -22,7 +22,7 @@ using Chromaticity = std::array<double, 2>;
 /// Of red, green, blue.
 using Primaries = std::array<Chromaticity, 3>;
 /// Row by row.
-using Matrix3 = std::array<std::array<double, 3>, 3>;
+using ColorMatrix = std::array<std::array<double, 3>, 3>;
 
 inline constexpr Chromaticity kWhiteD65 = {0.3127, 0.3290};
 
@@ -42,8 +42,8 @@ double decode_transfer(ColorProfile profile, double v);
 double encode_transfer(ColorProfile profile, double v);
 
 /// Linear RGB of `profile` to CIE XYZ with Y = 1 for white; its second row weighs luminance.
-Matrix3 to_xyz(ColorProfile profile);
+ColorMatrix to_xyz(ColorProfile profile);
 /// Linear RGB of `from` to that of `to`; exactly one of a kind to itself.
-Matrix3 between(ColorProfile from, ColorProfile to);
+ColorMatrix between(ColorProfile from, ColorProfile to);
 
 }  // namespace pentimento

@@ -1,5 +1,5 @@
 #pragma once
-// The finer canvas of a dump, read from the file part by part: what shading and comparing a poster
+// The detail canvas of a dump, read from the file part by part: what shading and comparing a poster
 // need, without ever holding all of it. For this folder only.
 
 #include <hdf5.h>

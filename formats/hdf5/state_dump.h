@@ -9,7 +9,7 @@
 #include "core/base/result.h"
 #include "core/base/threads.h"
 #include "core/canvas/canvas_source.h"
-#include "core/detail/store/detail_notes.h"
+#include "core/detail/store/detail_checkpoint.h"
 #include "core/model/model.h"
 #include "core/optics/channels.h"
 #include "core/optics/lighting.h"
@@ -20,12 +20,12 @@ namespace pentimento {
 
 struct StateDump {
   CanvasState state;  // the guide: of the simulation's own grid
-  /// At detail k > 1 the k times finer canvas, which is what the dump is of; else nothing. The
+  /// At detail k > 1 the k times detail canvas, which is what the dump is of; else nothing. The
   /// reader's reads from the file, part by part.
   int detail = 1;
   std::shared_ptr<const CanvasSource> fine;
   /// What `fine` keeps beside its planes, to go on from it. None: it can be looked at only.
-  std::optional<DetailNotes> notes;
+  std::optional<DetailCheckpoint> checkpoint;
   Model model;
   ChannelBasis basis;
   std::vector<Pigment> palette;
@@ -50,7 +50,7 @@ struct DumpOptions {
 
 /// How a dump names itself, and the newest version known here.
 inline constexpr const char* kStateFormat = "pentimento-state";
-inline constexpr int kStateVersion = 2;  // 2: with a finer canvas; without, 1 is written
+inline constexpr int kStateVersion = 2;  // 2: with a detail canvas; without, 1 is written
 /// Of the hash's first line: what is hashed has not changed since.
 inline constexpr int kHashVersion = 1;
 

@@ -6,9 +6,9 @@
 #include "core/base/threads.h"
 #include "core/optics/tone.h"
 #include "formats/hdf5/chunked.h"
+#include "formats/hdf5/detail_checkpoint.h"
 #include "formats/hdf5/handle.h"
 #include "formats/hdf5/lighting_parts.h"
-#include "formats/hdf5/notes.h"
 #include "formats/hdf5/output_driver.h"
 #include "formats/hdf5/read_state.h"
 #include "formats/hdf5/sleep.h"
@@ -163,7 +163,7 @@ bool write_model(hid_t root, const Model& model) {
 bool write_root(hid_t file, const StateDump& dump, const Hashes& hashes,
                 const Provenance& provenance) {
   const Handle root(H5Gopen2(file, "/", H5P_DEFAULT), H5Gclose);
-  const Handle notes(H5Gopen2(file, "/provenance", H5P_DEFAULT), H5Gclose);
+  const Handle checkpoint(H5Gopen2(file, "/provenance", H5P_DEFAULT), H5Gclose);
   const hid_t id = root.id();
   const std::string software = provenance_value(provenance, "software");
   bool ok = set_attribute(id, "format", std::string_view(kStateFormat)) &&
@@ -179,7 +179,7 @@ bool write_root(hid_t file, const StateDump& dump, const Hashes& hashes,
             set_attribute(id, "log_sha256", dump.log_sha256) &&
             set_attribute(id, "software", software.empty() ? "pentimento" : software) &&
             write_model(id, dump.model);
-  for (const auto& [key, value] : provenance) ok = ok && set_attribute(notes.id(), key, value);
+  for (const auto& [key, value] : provenance) ok = ok && set_attribute(checkpoint.id(), key, value);
   return ok;
 }
 
@@ -193,8 +193,8 @@ bool write_canvases(hid_t file, const StateDump& dump, int level, const Threads&
   for (const char* group : kGuideGroups) ok = ok && hdf5::make_group(file, group);
   return ok && hdf5::write_canvas(file, guide, {"/guide", 0, level}, threads) &&
          hdf5::write_sleep(file, "/guide", dump.state) &&
-         (!dump.notes ||
-          hdf5::write_notes(file, *dump.notes, {dump.state, dump.detail}, level, threads));
+         (!dump.checkpoint || hdf5::write_checkpoint(file, *dump.checkpoint,
+                                                     {dump.state, dump.detail}, level, threads));
 }
 
 bool write_content(hid_t file, const StateDump& dump, const Hashes& hashes,
@@ -262,7 +262,7 @@ Result<std::unique_ptr<OutputFile>> complete_state(const std::string& path, cons
     return file;
   }
   if (output.is_stream())
-    return Error{ErrorCode::kUsage, path + ": a state dump of a finer canvas cannot go to a pipe"};
+    return Error{ErrorCode::kUsage, path + ": a state dump of a detail canvas cannot go to a pipe"};
   const bool streamed = stream_file(output, dump, hashes, options);
   if (const Result<void> written = output.status(); !written) return written.error();
   if (const Result<void> read = dump.fine->status(); !read) return read.error();

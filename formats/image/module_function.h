@@ -9,7 +9,7 @@
 namespace pentimento::image {
 
 inline constexpr const char* kPictureModule = "pentimento_pictures.so";
-inline constexpr const char* kFilmModule = "pentimento_films.so";
+inline constexpr const char* kVideoModule = "pentimento_videos.so";
 
 /// The address of `function` in `module`. Errors: kIo, with the reason.
 Result<void*> find_in_module(const char* module, const char* function);

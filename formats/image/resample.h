@@ -24,19 +24,19 @@ Field<float> resample_bicubic(FieldView<const float> source, int width, int heig
 Field<float> resample_to(FieldView<const float> source, int width, int height);
 
 /// A seamless texture laid as tiles from the origin: value at the centre of each cell of a grid of
-/// `width` x `height` cells, of which `cells_per_tile_x` x `cells_per_tile_y` (> 0, not
+/// `width` x `height` cells, of which `cells_per_repeat_x` x `cells_per_repeat_y` (> 0, not
 /// necessarily whole) lie on one tile. Bilinear with wrap-around where the tile is magnified, mean
 /// over the cell where it is reduced.
-Field<float> sample_tiled(FieldView<const float> tile, int width, int height,
-                          double cells_per_tile_x, double cells_per_tile_y);
+Field<float> sample_repeated(FieldView<const float> tile, int width, int height,
+                             double cells_per_repeat_x, double cells_per_repeat_y);
 
 /// The same row by row, for grids that are never held whole: a picture fitted to a grid as
-/// resample_to does, or laid as tiles as sample_tiled does, in the same bits.
+/// resample_to does, or laid as tiles as sample_repeated does, in the same bits.
 class PictureRows {
  public:
   static PictureRows fitted(Field<float> picture, int width, int height);
-  static PictureRows tiled(Field<float> tile, int width, int height, double cells_per_tile_x,
-                           double cells_per_tile_y);
+  static PictureRows tiled(Field<float> tile, int width, int height, double cells_per_repeat_x,
+                           double cells_per_repeat_y);
   /// Values of the cells [x, x + out.size()) of row y of the grid. From any thread.
   void row(int x, int y, std::span<float> out) const;
 

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "replay/estimate/time_estimate.h"
-#include "replay/job/json_object.h"
+#include "replay/job/report_object.h"
 #include "replay/output/output_plan.h"
 #include "replay/output/output_set.h"
 #include "replay/session/log_session.h"
@@ -37,7 +37,7 @@ Result<JobEstimate> dry_run(const RenderJob& job, const Control& control) {
 }
 
 std::string estimate_json(const JobEstimate& e) {
-  return JsonObject()
+  return ReportObject()
       .add("width", e.size.width)
       .add("height", e.size.height)
       .add("dpi", e.size.dpi)

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-#include "replay/job/json_object.h"
+#include "replay/job/report_object.h"
 
 namespace pentimento {
 
@@ -25,7 +25,7 @@ bool starts_like_an_output(const std::string& path) {
 }
 
 std::string counts_json(const std::map<std::string, std::int64_t>& counts) {
-  JsonObject json;
+  ReportObject json;
   for (const auto& [name, count] : counts) json.add(name, count);
   return json.text();
 }
@@ -37,12 +37,12 @@ std::string strings_json(const std::vector<std::string>& strings) {
 }
 
 std::string map_json(const std::map<std::string, std::string>& map) {
-  JsonObject json;
+  ReportObject json;
   for (const auto& [key, value] : map) json.add(key, value);
   return json.text();
 }
 
-void add_log(const LogFacts& log, JsonObject& json) {
+void add_log(const LogFacts& log, ReportObject& json) {
   const log::Header& h = log.header;
   json.add("kind", "log")
       .add("version", h.version)
@@ -69,7 +69,7 @@ void add_log(const LogFacts& log, JsonObject& json) {
   if (!log.summary.salvaged.empty()) json.add("salvaged", log.summary.salvaged);
 }
 
-void add_output(const FileDescription& output, JsonObject& json) {
+void add_output(const FileDescription& output, ReportObject& json) {
   json.add("kind", output.format == "hdf5" ? "state" : "picture")
       .add("format", output.format)
       .add("width", output.width)
@@ -78,7 +78,7 @@ void add_output(const FileDescription& output, JsonObject& json) {
       .add("dpi", output.dpi)
       .add("samples", output.samples)
       .add("profile", output.profile);
-  JsonObject provenance;
+  ReportObject provenance;
   for (const auto& [key, value] : output.provenance) provenance.add(key, value);
   json.add_json("provenance", provenance.text());
 }
@@ -141,7 +141,7 @@ Result<FileInfo> file_info(const std::string& path, const log::ReaderOptions& re
 }
 
 std::string info_json(const FileInfo& info) {
-  JsonObject json;
+  ReportObject json;
   json.add("file", info.file);
   if (info.log) add_log(*info.log, json);
   if (info.output) add_output(*info.output, json);

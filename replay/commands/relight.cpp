@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "formats/film/film_writer.h"
 #include "formats/hdf5/state_dump.h"
 #include "formats/io/provenance.h"
 #include "formats/log/tables/model_fields.h"
+#include "formats/video/video_writer.h"
 #include "replay/commands/exchange_pigments.h"
 #include "replay/commands/light_path.h"
 #include "replay/job/stopwatch.h"
@@ -61,7 +61,7 @@ Result<std::vector<Frame>> plan_frames(const RelightJob& job, const Lamp& lamp) 
     Result<std::vector<PlannedOutput>> outputs = plan_pictures(job.picture);
     if (!outputs) return outputs.error();
     for (const PlannedOutput& output : *outputs) {
-      if (output.kind == OutputKind::kFilm) {
+      if (output.kind == OutputKind::kVideo) {
         return Error{ErrorCode::kUsage, "-o " + output.path + ": a film needs --light-path"};
       }
     }
@@ -73,7 +73,7 @@ Result<std::vector<Frame>> plan_frames(const RelightJob& job, const Lamp& lamp) 
   for (const std::array<float, 3>& place : *places) {
     PictureChoice picture;
     for (const std::string& pattern : job.picture.outputs) {
-      Result<std::string> name = is_film_name(pattern)
+      Result<std::string> name = is_video_name(pattern)
                                      ? Result<std::string>(pattern)
                                      : frame_name(pattern, static_cast<int>(frames.size()));
       if (!name) return name.error();

@@ -65,7 +65,7 @@ class Replay {
   std::vector<std::vector<PlannedOutput>> files_;  // per stop
   std::int64_t first_step_ = 0;
   std::unique_ptr<Simulation> simulation_;
-  std::unique_ptr<FineCanvas> fine_;  // none at detail 1
+  std::unique_ptr<ReplayDetail> fine_;  // none at detail 1
   std::unique_ptr<Timeline> timeline_;
   std::unique_ptr<Hand> hand_;
   std::unique_ptr<Player> player_;
@@ -115,9 +115,9 @@ Result<void> Replay::begin() {
       plan_outputs(job_.picture.outputs, job_.stops);
   if (!files) return files.error();
   for (const PlannedOutput& output : files->front()) {
-    if (output.kind == OutputKind::kFilm) {
+    if (output.kind == OutputKind::kVideo) {
       return Error{ErrorCode::kUsage,
-                   "-o " + output.path + ": films are made by relight --light-path"};
+                   "-o " + output.path + ": videos are made by relight --light-path"};
     }
   }
   files_ = std::move(*files);
@@ -130,10 +130,10 @@ Result<void> Replay::begin() {
   simulation_ = std::move(*simulation);
   first_step_ = simulation_->state().step;
   if (session_.detail > 1) {
-    FineSetup setup{session_.detail, job_.scratch, 0, {}};
+    ReplayDetailSetup setup{session_.detail, job_.scratch, 0, {}};
     if (!job_.scratch.empty()) setup.resident_bytes = resident_budget(job_, session_);
-    setup.start = std::exchange(session_.fine_start, {});
-    Result<std::unique_ptr<FineCanvas>> fine = FineCanvas::follow(
+    setup.start = std::exchange(session_.detail_start, {});
+    Result<std::unique_ptr<ReplayDetail>> fine = ReplayDetail::follow(
         *simulation_, setup, session_.reader->header().paper, session_.files, threads_);
     if (!fine) return fine.error();
     fine_ = std::move(*fine);
@@ -146,7 +146,7 @@ Result<void> Replay::begin() {
   hand_ = std::make_unique<Hand>(
       *simulation_,
       HandInput{session_.brushes, session_.palette, session_.first_color, session_.files, gravity,
-                fine_ ? &fine_->ground() : nullptr, session_.maker});
+                fine_ ? &fine_->substrate() : nullptr, session_.maker});
   player_ = std::make_unique<Player>(PlayerInput{*timeline_, *simulation_, *hand_, lighting_,
                                                  session_.files, control_, session_.steps});
   return {};
@@ -174,9 +174,9 @@ Result<void> Replay::play_to_stop(std::size_t stop) {
   Result<void> played =
       stops.empty() ? player_->play_all(session_.plan.steps) : player_->play_to(stops[stop]);
   if (!played) return played;
-  if (Result<void> settled = player_->settle(job_.settle_s ? session_.steps : player_->steps());
-      !settled)
-    return settled;
+  if (Result<void> rested = player_->settle(job_.settle_s ? session_.steps : player_->steps());
+      !rested)
+    return rested;
   return fine_ ? fine_->problem() : Result<void>();
 }
 
@@ -212,7 +212,7 @@ Result<void> Replay::write(const std::vector<PlannedOutput>& files) {
   Lighting lighting = clone_lighting(lighting_.lighting());
   light_.apply(lighting);
   const log::Gravity gravity = job_.gravity ? log_gravity(*job_.gravity) : lighting_.gravity();
-  for (Lamp& lamp : lighting.lamps) settle_lamp(lamp, gravity);
+  for (Lamp& lamp : lighting.lamps) fix_lamp(lamp, gravity);
   const Scene scene{*view.canvas, simulation_->basis(), simulation_->model(), lighting};
   const Origin from = origin(lighting);
   if (Result<void> shaded = outputs_.add_pictures(files, scene, from); !shaded) return shaded;
@@ -226,7 +226,7 @@ StateDump Replay::dump_of(const CanvasView& view, Lighting lighting, const Origi
   dump.detail = view.detail;
   if (view.detail > 1) {
     dump.fine = view.canvas;
-    dump.notes = fine_->notes();
+    dump.checkpoint = fine_->checkpoint();
   }
   dump.model = simulation_->model();
   dump.basis = simulation_->basis();
@@ -251,7 +251,7 @@ void Replay::conclude() {
   report_.threads = threads_.count();
   report_.paint = paint_lines(*simulation_);
   report_.fluid = simulation_->statistics();
-  if (fine_) report_.lock = fine_->refinement().lock_statistics();
+  if (fine_) report_.lock = fine_->follower().lock_statistics();
   report_.phases = watch_.phases();
   report_.wall_s = watch_.total_s();
   report_.peak_memory_bytes = peak_memory_bytes();

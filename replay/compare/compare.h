@@ -21,13 +21,13 @@ Comparison compare_pictures(const Image& a, const Image& b, const Threads& threa
 
 /// Dataset by dataset, named as in the dump; parameters, palette and lighting that differ are
 /// notes. Canvases of different sizes, one a whole multiple of the other, are compared by
-/// compare_reduced. Errors: a finer canvas cannot be read.
+/// compare_reduced. Errors: a detail canvas cannot be read.
 Result<Comparison> compare_states(const StateDump& a, const StateDump& b, const Threads& threads);
 
 /// How many times larger the second grid is, in both directions; 0 = not a whole number.
 int whole_ratio(const CanvasGeometry& a, const CanvasGeometry& b);
 
-/// Wet depth, dried paint, each pigment (per layer, then summed) and all pigment, the finer canvas
+/// Wet depth, dried paint, each pigment (per layer, then summed) and all pigment, the detail canvas
 /// reduced by area means: fidelity() of each is added to `out`.
 void compare_reduced(const CanvasSource& coarse, const CanvasSource& fine,
                      const ChannelBasis& basis, const Threads& threads, Comparison& out);

@@ -23,7 +23,7 @@ struct PlaneDifference {
   // Of a canvas against a finer one that was reduced, see fidelity():
   std::optional<double> relative_l2 = std::nullopt;
   std::optional<double> worst_block = std::nullopt;
-  // Whether relative_l2 and worst_block have limits: a single layer of a finer canvas has none,
+  // Whether relative_l2 and worst_block have limits: a single layer of a detail canvas has none,
   // only the sum over layers is locked where a stroke's edge runs through a cell.
   bool locked = true;
 };

@@ -18,12 +18,12 @@ int tiles_along(int cells) {
 }
 }  // namespace
 
-bool lays_thin_paint(const BrushSettings& brush) {
+bool deposits_thin_paint(const BrushSettings& brush) {
   return brush.pigment_frac < kThinPigment;
 }
 
 std::int64_t settling_steps(const BrushSettings& brush) {
-  if (!lays_thin_paint(brush)) return kSettlingSteps;
+  if (!deposits_thin_paint(brush)) return kSettlingSteps;
   return kSettlingSteps + static_cast<std::int64_t>(kRunningSteps * brush.medium_frac);
 }
 

@@ -17,7 +17,7 @@ struct MovingPaint {
 };
 
 /// Whether the brush lays paint that runs on a tilted canvas.
-bool lays_thin_paint(const BrushSettings& brush);
+bool deposits_thin_paint(const BrushSettings& brush);
 /// Steps that paint moves after the last touch of such a brush: thin paint longer.
 std::int64_t settling_steps(const BrushSettings& brush);
 

@@ -22,14 +22,15 @@ void CarriedPaint::dip(std::uint32_t mask, double from, double to) {
   for (int band = begin; band < end; ++band) {
     const auto b = static_cast<std::size_t>(band);
     loaded_[b] = mask;
-    laid_[b] = loaded(band);
+    deposited_[b] = loaded(band);
     share_[b] = {};
   }
 }
 
 void CarriedPaint::take(bool holds_load) {
   holds_load_ = holds_load;
-  for (int band = 0; band < kBands; ++band) laid_[static_cast<std::size_t>(band)] = loaded(band);
+  for (int band = 0; band < kBands; ++band)
+    deposited_[static_cast<std::size_t>(band)] = loaded(band);
   share_ = {};
 }
 
@@ -43,13 +44,13 @@ void CarriedPaint::pass(const Contact& contact, double pickup_frac, double refil
   for (int band = 0; band < kBands; ++band) {
     const auto b = static_cast<std::size_t>(band);
     if (contact.cells[b] == 0) continue;
-    laid_[b] = loaded(band);
+    deposited_[b] = loaded(band);
     for (std::size_t c = 0; c < kChannels; ++c) {
       double& share = share_[b][c];
       const double met = static_cast<double>(contact.met[b][c]) / contact.cells[b];
       share += pickup_frac * met * (1 - share);
       share *= 1 - refill_frac;
-      if (share > kLeastShare) laid_[b] |= std::uint32_t{1} << c;
+      if (share > kLeastShare) deposited_[b] |= std::uint32_t{1} << c;
     }
   }
 }

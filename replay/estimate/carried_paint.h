@@ -26,7 +26,7 @@ class CarriedPaint {
     return holds_load_ ? loaded_[static_cast<std::size_t>(band)] : 0;
   }
   /// The channels that the band lays.
-  std::uint32_t laid(int band) const { return laid_[static_cast<std::size_t>(band)]; }
+  std::uint32_t deposited(int band) const { return deposited_[static_cast<std::size_t>(band)]; }
 
   /// What a stamp came upon.
   struct Contact {
@@ -41,7 +41,7 @@ class CarriedPaint {
 
  private:
   bool holds_load_ = true;
-  std::array<std::uint32_t, kBands> loaded_{}, laid_{};
+  std::array<std::uint32_t, kBands> loaded_{}, deposited_{};
   std::array<std::array<double, kChannels>, kBands> share_{};  // taken up, of what the band holds
 };
 

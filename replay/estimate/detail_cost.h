@@ -6,7 +6,7 @@
 
 namespace pentimento {
 
-/// Memory of the finer canvas, bytes.
+/// Memory of the detail canvas, bytes.
 struct DetailCost {
   std::int64_t cell = 4;     // of a plane: depth, relief, a layer of a channel, a band that dried
   std::int64_t page = 4096;  // what the system gives of a plane once something is written there
@@ -21,7 +21,7 @@ struct TimeCost {
   double stamped_cell = 0.4;       // a cell under a stamp
   double stamp = 380;              // a stamp, whatever its size
   double guide_shared_frac = 0.2;  // that all threads do together
-  // What a finer canvas of any size takes: notes of stamps, blocks that are corrected.
+  // What a detail canvas of any size takes: notes of stamps, blocks that are corrected.
   double followed_cell = 19.8;        // a cell of the guide under a stamp
   double followed_channel = 0.17;     // each channel that it has wet
   double followed_stamp = 380;        // a stamp, whatever its size

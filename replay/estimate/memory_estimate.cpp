@@ -14,10 +14,10 @@ namespace {
 constexpr std::int64_t kMB = 1'000'000;
 constexpr std::int64_t kProgramme = 75 * kMB;  // code, libraries
 constexpr std::int64_t kSchemePlanes = 24;     // scratch of a scheme and the brush's contact
-constexpr std::int64_t kFollowedCell = 150;    // noted of a cell of the guide for the finer canvas
+constexpr std::int64_t kFollowedCell = 150;    // noted of a cell of the guide for the detail canvas
 constexpr std::int64_t kShader = 60 * kMB;     // Mesa and what it compiles
 constexpr std::int64_t kDumpCache = 64 * kMB;  // chunks being compressed
-constexpr std::int64_t kDumpRead = 256 * kMB;  // of a finer canvas that goes on, at most
+constexpr std::int64_t kDumpRead = 256 * kMB;  // of a detail canvas that goes on, at most
 constexpr std::int64_t kLeastDetail = 128 * kMB;  // of a scratch file held: tiles at work
 
 std::int64_t state_bytes(const LogSession& session) {
@@ -108,9 +108,9 @@ std::int64_t limit_of(const RenderJob& job) {
 std::int64_t guide_bytes(const LogSession& session) {
   const std::int64_t cells = std::int64_t{session.grid.width} * session.grid.height;
   const std::int64_t fine = state_bytes(session) * session.detail * session.detail;
-  const std::int64_t read = session.fine_start ? std::min(kDumpRead, fine) : 0;
-  const std::int64_t notes = session.detail > 1 ? cells * kFollowedCell : 0;
-  return kProgramme + state_bytes(session) + cells * kSchemePlanes * 4 + notes + read;
+  const std::int64_t read = session.detail_start ? std::min(kDumpRead, fine) : 0;
+  const std::int64_t checkpoint = session.detail > 1 ? cells * kFollowedCell : 0;
+  return kProgramme + state_bytes(session) + cells * kSchemePlanes * 4 + checkpoint + read;
 }
 
 std::int64_t budget_beside(std::int64_t others, const RenderJob& job) {

@@ -14,13 +14,13 @@ namespace pentimento {
 struct JobNeeds {
   std::int64_t memory_bytes = 0;   // at the peak
   std::int64_t disk_bytes = 0;     // of all outputs; pictures as if they did not compress
-  std::int64_t scratch_bytes = 0;  // of the finer canvas in --scratch
+  std::int64_t scratch_bytes = 0;  // of the detail canvas in --scratch
 };
 
 /// `survey` is of the session.
 JobNeeds job_needs(const RenderJob& job, const LogSession& session, const PaintSurvey& survey);
 
-/// What --scratch leaves of the finer canvas in memory: what the limit has room for.
+/// What --scratch leaves of the detail canvas in memory: what the limit has room for.
 std::int64_t resident_budget(const RenderJob& job, const LogSession& session);
 
 /// kLimit if the memory is over the job's limit, or over what the machine has: one line with what

@@ -37,10 +37,10 @@ void PaintMap::begin(const CanvasState& state) {
     }
 }
 
-CarriedPaint::Contact PaintMap::lay(const Laying& laying) {
+CarriedPaint::Contact PaintMap::deposit(const Deposition& deposition) {
   CarriedPaint::Contact contact;
-  const TipPose& pose = laying.pose;
-  const Tip& tip = laying.tip;
+  const TipPose& pose = deposition.pose;
+  const Tip& tip = deposition.tip;
   const FootprintBox box = box_of(pose, tip.extent(), grid_);
   if (box.empty()) return contact;
   const TipLevel& level = tip.level_for(grid_.dx_m() / pose.diameter_m);
@@ -51,20 +51,20 @@ CarriedPaint::Contact PaintMap::lay(const Laying& laying) {
       if (!(level.at(row.u(x), row.v(x)) > 0)) continue;
       const int band = CarriedPaint::band_of(row.v(x));
       WetCell& cell = wet_[at(box.x + x, y)];
-      contact.add(band, cell.main & ~laying.paint.loaded(band));
-      lay(cell, laying.paint.laid(band), laying.stroke);
-      cell.main |= laying.paint.loaded(band);
-      cell.thin = lays_thin_paint(laying.brush);
+      contact.add(band, cell.main & ~deposition.paint.loaded(band));
+      deposit(cell, deposition.paint.deposited(band), deposition.stroke);
+      cell.main |= deposition.paint.loaded(band);
+      cell.thin = deposits_thin_paint(deposition.brush);
       touched |= cell.mask;
     }
   }
   awake_.touch(box.x, box.y, box.width, box.height,
-               {touched, laying.step, settling_steps(laying.brush)});
+               {touched, deposition.step, settling_steps(deposition.brush)});
   ++survey_.stamps;
   return contact;
 }
 
-void PaintMap::lay(WetCell& cell, std::uint32_t mask, std::uint32_t stroke) {
+void PaintMap::deposit(WetCell& cell, std::uint32_t mask, std::uint32_t stroke) {
   survey_.stamped_cells += 1;
   if (mask == 0 && cell.layers == 0) return;
   if (cell.layers == 0 || cell.stroke != stroke) cell.layers = std::min(cell.layers + 1, layers_);
@@ -112,7 +112,7 @@ void PaintMap::clear(std::int64_t step) {
   awake_.clear();
 }
 
-/// The finer canvas as it would be now.
+/// The detail canvas as it would be now.
 void PaintMap::measure() {
   std::int64_t bytes = 0, used = 0;
   for (int t = 0; t < layout_.tiles(); ++t) {

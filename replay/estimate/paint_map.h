@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "core/brush/footprint.h"
 #include "core/brush/tip.h"
+#include "core/brush/tip_pose.h"
 #include "core/detail/store/detail_layout.h"
 #include "replay/estimate/awake_tiles.h"
 #include "replay/estimate/carried_paint.h"
@@ -23,7 +23,7 @@ class PaintMap {
   PaintMap(const LogSession& session, const DetailCost& cost);
 
   /// Where paint is laid.
-  struct Laying {
+  struct Deposition {
     const TipPose& pose;
     const Tip& tip;
     const CarriedPaint& paint;
@@ -32,7 +32,7 @@ class PaintMap {
     const BrushSettings& brush;
   };
   /// The tip's cells hold what it lays from now on; returns what lay there.
-  CarriedPaint::Contact lay(const Laying& laying);
+  CarriedPaint::Contact deposit(const Deposition& laying);
   void dry(std::int64_t step);
   void clear(std::int64_t step);
   /// Gravity along the canvas, in the grid's frame.
@@ -56,7 +56,7 @@ class PaintMap {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(grid_.width) +
            static_cast<std::size_t>(x);
   }
-  void lay(WetCell& cell, std::uint32_t mask, std::uint32_t stroke);
+  void deposit(WetCell& cell, std::uint32_t mask, std::uint32_t stroke);
   void account(std::int64_t step);
   void run_down();
   void measure();

@@ -28,22 +28,22 @@ class SurveyHand {
   }
   void apply(const Cue& cue) {
     if (const auto* stamp = std::get_if<StrokeStamp>(&cue.what)) {
-      lay(stamp->stamp, stroke_[stamp->hand], cue.step);
+      deposit(stamp->stamp, stroke_[stamp->slot], cue.step);
     } else if (const auto* begun = std::get_if<StrokeBegin>(&cue.what)) {
-      stroke_[begun->hand] = begun->stroke_id;
+      stroke_[begun->slot] = begun->stroke_id;
     } else if (const auto* action = std::get_if<log::Action>(&cue.what)) {
       act(*action, cue.step);
     }
   }
 
  private:
-  void lay(const Stamp& stamp, std::uint32_t stroke, std::int64_t step) {
+  void deposit(const Stamp& stamp, std::uint32_t stroke, std::int64_t step) {
     const TipPose pose = pose_of(stamp, *brush_, kSmallestCells * session_.grid.dx_m());
     const double diameters = static_cast<double>(stamp.travel_m) / pose.diameter_m;
     const auto share = [](double frac, double lengths) { return 1 - std::pow(1 - frac, lengths); };
     const double pickup = std::max(settings_.pickup, brush_->absorb);
     const double refill = brush_->film > 0 ? settings_.refill : 0;
-    const auto met = map_.lay({pose, *tip_, paint_, stroke, step, settings_});
+    const auto met = map_.deposit({pose, *tip_, paint_, stroke, step, settings_});
     paint_.pass(met, share(pickup, diameters), share(refill, diameters / kRefillDiameters));
   }
   void act(const log::Action& action, std::int64_t step) {

@@ -17,9 +17,9 @@ struct PaintSurvey {
   double stamped_channels = 0;   // each of them once for every channel wet there
   MovingPaint awake;             // after stamps
   double tilted_cell_steps = 0;  // cells of wet tiles, per step in which the canvas is tilted
-  std::int64_t tiles = 0;        // of the finer canvas that ever have paint
+  std::int64_t tiles = 0;        // of the detail canvas that ever have paint
   std::int64_t all_tiles = 0;
-  double detail_bytes = 0;  // of the finer canvas, when it holds most
+  double detail_bytes = 0;  // of the detail canvas, when it holds most
 };
 
 /// Plays the session's log from its first event up to its last stop and rewinds it. Errors: the

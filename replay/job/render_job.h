@@ -36,8 +36,8 @@ struct PictureChoice {
   int bit_depth = 8;                 // of PNG: 8 or 16
   bool full_float = false;           // of EXR
   ColorProfile profile = ColorProfile::kSrgb;
-  bool dither = false;            // of PNG with 8 bit, and of films
-  double frames_per_second = 25;  // of films
+  bool dither = false;            // of PNG with 8 bit, and of videos
+  double frames_per_second = 25;  // of videos
   std::vector<std::string> aovs;
   std::optional<DebugView> debug_view;     // in place of the lit picture
   std::optional<std::array<int, 4>> crop;  // x, y, width, height in pixels of the whole picture
@@ -48,7 +48,7 @@ struct PictureChoice {
 
 /// How a picture larger than the log's grid comes to its detail.
 enum class Refine {
-  kGuided,  // the simulation runs on the log's grid; a finer canvas follows it: the same painting
+  kGuided,  // the simulation runs on the log's grid; a detail canvas follows it: the same painting
   kDirect   // the simulation runs at the picture's size: another painting
 };
 

@@ -7,13 +7,13 @@
 #include <limits>
 #include <numeric>
 
-#include "replay/job/json_object.h"
+#include "replay/job/report_object.h"
 
 namespace pentimento {
 
 namespace {
 std::string medium_json(const PaintLine& line) {
-  return JsonObject()
+  return ReportObject()
       .add("deposited_m3", line.deposited)
       .add("picked_up_m3", line.picked_up)
       .add("dried_m3", line.dried)
@@ -23,7 +23,7 @@ std::string medium_json(const PaintLine& line) {
 }
 
 std::string pigment_json(const PaintLine& line) {
-  return JsonObject()
+  return ReportObject()
       .add("name", line.name)
       .add("deposited", line.deposited)
       .add("picked_up", line.picked_up)
@@ -36,7 +36,7 @@ std::string pigment_json(const PaintLine& line) {
 std::string paint_json(const std::vector<PaintLine>& paint) {
   std::vector<std::string> pigments;
   for (std::size_t i = 1; i < paint.size(); ++i) pigments.push_back(pigment_json(paint[i]));
-  return JsonObject()
+  return ReportObject()
       .add_json("medium", medium_json(paint.front()))
       .add_json("pigments", json_array(pigments))
       .text();
@@ -45,7 +45,7 @@ std::string paint_json(const std::vector<PaintLine>& paint) {
 /// Shares of the blocks that had paint before they were locked.
 std::string lock_json(const LockStatistics& lock) {
   const auto blocks = std::accumulate(lock.blocks.begin(), lock.blocks.end(), std::int64_t{0});
-  JsonObject json;
+  ReportObject json;
   json.add("blocks", blocks).add("owed", lock.owed);
   std::int64_t within = 0;
   for (std::size_t i = 0; i < LockStatistics::kBound.size(); ++i) {
@@ -59,7 +59,7 @@ std::string lock_json(const LockStatistics& lock) {
 std::string outputs_json(const std::vector<WrittenFile>& outputs) {
   std::vector<std::string> files;
   for (const WrittenFile& f : outputs) {
-    JsonObject file;
+    ReportObject file;
     file.add("file", f.file).add("width", f.width).add("height", f.height).add("sha256", f.sha256);
     if (f.scale) {
       file.add("offset", f.scale->offset)
@@ -92,7 +92,7 @@ std::vector<PaintLine> paint_lines(const Simulation& simulation) {
 }
 
 std::string report_json(const JobReport& report) {
-  JsonObject json;
+  ReportObject json;
   json.add_json("outputs", outputs_json(report.outputs))
       .add("steps", report.steps)
       .add("steps_computed", report.steps_computed)
@@ -107,14 +107,14 @@ std::string report_json(const JobReport& report) {
   if (!report.other_painting.empty()) json.add("painting", report.other_painting);
   if (!report.paint.empty()) json.add_json("paint", paint_json(report.paint));
   if (!report.fluid.empty()) {
-    JsonObject fluid;
+    ReportObject fluid;
     for (const auto& [name, value] : report.fluid) fluid.add(name, value);
     json.add_json("fluid", fluid.text());
   }
   if (report.lock) json.add_json("lock", lock_json(*report.lock));
   std::vector<std::string> phases;
   for (const Phase& phase : report.phases) {
-    phases.push_back(JsonObject().add("name", phase.name).add("wall_s", phase.wall_s).text());
+    phases.push_back(ReportObject().add("name", phase.name).add("wall_s", phase.wall_s).text());
   }
   return json.add_json("phases", json_array(phases)).text();
 }

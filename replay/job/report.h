@@ -54,7 +54,7 @@ struct JobReport {
   std::string other_painting;  // why it is not the painting of the log's grid; empty: it is
   std::string log_sha256;
   std::vector<PaintLine> paint;  // the medium first, then a line per channel
-  /// How the finer canvas was locked to the guide; nothing at detail 1.
+  /// How the detail canvas was locked to the guide; nothing at detail 1.
   std::optional<LockStatistics> lock;
   /// What the fluid scheme measured of itself: awake shares, largest speed and depth...
   std::vector<std::pair<std::string, double>> fluid;

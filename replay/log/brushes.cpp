@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "core/brush/builtin_brushes.h"
-#include "core/brush/hairs.h"
+#include "core/brush/tuft.h"
 #include "formats/image/read_image.h"
 
 namespace pentimento {
@@ -34,7 +34,7 @@ void apply_spec(const log::BrushSpec& spec, BrushDefinition& brush) {
   set(spec.film, brush.film);
   set(spec.absorb, brush.absorb);
   if (spec.bristles) {
-    if (brush.bristles.count == 0) brush.bristles = bundle_of(TipShape::kBristle).bristles;
+    if (brush.bristles.count == 0) brush.bristles = tuft_of(TipShape::kBristle).bristles;
     if (spec.bristles->count) brush.bristles.count = static_cast<int>(*spec.bristles->count);
     set(spec.bristles->thickness, brush.bristles.thickness);
     set(spec.bristles->length_spread, brush.bristles.length_spread);

@@ -5,10 +5,10 @@
 #include <fstream>
 #include <utility>
 
-#include "formats/film/video_reader.h"
 #include "formats/image/read_image.h"
 #include "formats/io/sha256.h"
 #include "formats/log/stream/resolve.h"
+#include "formats/video/video_reader.h"
 
 namespace pentimento {
 

@@ -2,9 +2,9 @@
 
 namespace pentimento {
 
-CanvasView make_canvas_view(const Simulation& simulation, FineCanvas* fine, int detail) {
+CanvasView make_canvas_view(const Simulation& simulation, ReplayDetail* fine, int detail) {
   if (fine == nullptr) return {std::make_shared<StateSource>(simulation.state()), 1};
-  // The fine canvas keeps its source; the view only points to it.
+  // The detail canvas keeps its source; the view only points to it.
   return {std::shared_ptr<const CanvasSource>(std::shared_ptr<void>(), &fine->source()), detail};
 }
 

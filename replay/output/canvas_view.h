@@ -5,7 +5,7 @@
 
 #include "core/canvas/canvas_source.h"
 #include "core/simulation/simulation.h"
-#include "replay/play/fine_canvas.h"
+#include "replay/play/replay_detail.h"
 
 namespace pentimento {
 
@@ -15,6 +15,6 @@ struct CanvasView {
 };
 
 /// `fine` may be none. Both outlive the view, and do not change while it is read.
-CanvasView make_canvas_view(const Simulation& simulation, FineCanvas* fine, int detail);
+CanvasView make_canvas_view(const Simulation& simulation, ReplayDetail* fine, int detail);
 
 }  // namespace pentimento

@@ -6,7 +6,7 @@
 #include <optional>
 #include <set>
 
-#include "formats/film/film_writer.h"
+#include "formats/video/video_writer.h"
 
 namespace pentimento {
 
@@ -19,7 +19,7 @@ std::optional<OutputKind> kind_of(const std::string& path) {
   });
   if (extension == ".png") return OutputKind::kPng;
   if (extension == ".exr") return OutputKind::kExr;
-  if (is_film_name(path)) return OutputKind::kFilm;
+  if (is_video_name(path)) return OutputKind::kVideo;
   if (extension == ".h5" || extension == ".hdf5") return OutputKind::kState;
   return std::nullopt;
 }

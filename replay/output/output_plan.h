@@ -10,7 +10,7 @@
 
 namespace pentimento {
 
-enum class OutputKind { kPng, kExr, kState, kFilm };
+enum class OutputKind { kPng, kExr, kState, kVideo };
 
 struct PlannedOutput {
   std::string pattern;  // as given

@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "formats/exr/exr_writer.h"
-#include "formats/film/film_writer.h"
 #include "formats/io/output_file.h"
 #include "formats/png/png_writer.h"
+#include "formats/video/video_writer.h"
 #include "replay/output/aov_pictures.h"
 #include "replay/output/debug_picture.h"
 #include "replay/output/tone_sink.h"
@@ -96,18 +96,18 @@ Result<void> OutputSet::open_shader() {
 }
 
 /// A film goes on from frame to frame; where it is among the pending files.
-Result<std::size_t> OutputSet::open_film(const std::string& path) {
+Result<std::size_t> OutputSet::open_video(const std::string& path) {
   for (std::size_t i = 0; i < pending_.size(); ++i) {
     if (pending_[i].file.file == path) return i;
   }
   const PictureChoice& choice = settings_.picture;
   const Result<OutputSize> size = written_size(choice, settings_.size);
   if (!size) return size.error();
-  FilmOptions options = {size->width,       size->height,  choice.frames_per_second,
-                         choice.no_clobber, choice.dither, settings_.threads};
-  Result<std::unique_ptr<PictureFile>> film = create_film(path, options);
-  if (!film) return film.error();
-  Pending pending = {{path, size->width, size->height, {}, {}}, std::move(*film), {}, true, {}};
+  VideoOptions options = {size->width,       size->height,  choice.frames_per_second,
+                          choice.no_clobber, choice.dither, settings_.threads};
+  Result<std::unique_ptr<PictureFile>> video = create_video(path, options);
+  if (!video) return video.error();
+  Pending pending = {{path, size->width, size->height, {}, {}}, std::move(*video), {}, true, {}};
   pending.goes_on = true;
   pending_.push_back(std::move(pending));
   return pending_.size() - 1;
@@ -206,22 +206,22 @@ Result<void> OutputSet::add_pictures(const std::vector<PlannedOutput>& outputs, 
   const bool exr = std::any_of(outputs.begin(), outputs.end(), [](const PlannedOutput& output) {
     return output.kind == OutputKind::kExr;
   });
-  std::vector<std::size_t> films;
+  std::vector<std::size_t> videos;
   for (const PlannedOutput& output : outputs) {
-    if (output.kind != OutputKind::kFilm) continue;
-    const Result<std::size_t> film = open_film(output.path);
-    if (!film) return film.error();
-    films.push_back(*film);
+    if (output.kind != OutputKind::kVideo) continue;
+    const Result<std::size_t> video = open_video(output.path);
+    if (!video) return video.error();
+    videos.push_back(*video);
   }
   const std::size_t first_file = pending_.size();
   for (const PlannedOutput& output : outputs) {
-    if (!is_picture(output) || output.kind == OutputKind::kFilm) continue;
+    if (!is_picture(output) || output.kind == OutputKind::kVideo) continue;
     if (Result<void> created = create(output, scene, origin); !created) return created;
     const bool beside = output.kind == OutputKind::kPng && !settings_.picture.aovs.empty() && !exr;
     if (!beside) continue;
     if (Result<void> created = create_aovs(output, scene, origin); !created) return created;
   }
-  std::vector<std::size_t> shown = films;
+  std::vector<std::size_t> shown = videos;
   for (std::size_t i = first_file; i < pending_.size(); ++i) shown.push_back(i);
   Result<void> shaded = debug ? paint_debug_view(scene, shown) : shade(scene, shown);
   if (!shaded) return shaded;

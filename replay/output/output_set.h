@@ -56,7 +56,7 @@ class OutputSet {
   Result<void> create(const PlannedOutput& output, const Scene& scene, const Origin& origin);
   Result<void> create_aovs(const PlannedOutput& output, const Scene& scene, const Origin& origin);
   Result<void> add_pending(Pending pending);
-  Result<std::size_t> open_film(const std::string& path);
+  Result<std::size_t> open_video(const std::string& path);
   /// Into those of the pending files.
   Result<void> shade(const Scene& scene, const std::vector<std::size_t>& shown);
   Result<void> paint_debug_view(const Scene& scene, const std::vector<std::size_t>& shown);

@@ -38,20 +38,20 @@ double wrapped(double turns) {
   return turns - static_cast<double>(static_cast<std::int64_t>(turns));
 }
 
-double height_at(const TileGrid& grid, double u, double v) {
+double height_at(const RepeatGrid& grid, double u, double v) {
   double sum = 0;
   double total = 0;
   double weight = 1;
   int points = kCoarsest;
   for (int octave = 0; octave < kOctaves; ++octave, points *= 2, weight /= 2) {
-    const double cells = std::min(grid.cells_per_tile_x, grid.cells_per_tile_y) / points;
+    const double cells = std::min(grid.cells_per_repeat_x, grid.cells_per_repeat_y) / points;
     const double fade = std::clamp(cells - 1, 0.0, 1.0);
     const double value = fade > 0 ? noise(points, u * points, v * points) : 0.5;
     sum += weight * (0.5 + fade * (value - 0.5));
     total += weight;
   }
   for (int octave = 0; octave < kToothOctaves; ++octave, points *= 2, weight /= 2) {
-    const double cells = std::min(grid.cells_per_tile_x, grid.cells_per_tile_y) / points;
+    const double cells = std::min(grid.cells_per_repeat_x, grid.cells_per_repeat_y) / points;
     const double fade = std::clamp(cells - 1, 0.0, 1.0);
     if (fade > 0) sum += weight * fade * (noise(points, u * points, v * points) - 0.5);
   }
@@ -59,10 +59,10 @@ double height_at(const TileGrid& grid, double u, double v) {
 }
 }  // namespace
 
-void grain_row(const TileGrid& grid, int x, int y, std::span<float> out) {
-  const double v = wrapped((y + 0.5) / grid.cells_per_tile_y);
+void grain_row(const RepeatGrid& grid, int x, int y, std::span<float> out) {
+  const double v = wrapped((y + 0.5) / grid.cells_per_repeat_y);
   for (std::size_t i = 0; i < out.size(); ++i) {
-    const double u = wrapped((x + static_cast<int>(i) + 0.5) / grid.cells_per_tile_x);
+    const double u = wrapped((x + static_cast<int>(i) + 0.5) / grid.cells_per_repeat_x);
     out[i] = static_cast<float>(height_at(grid, u, v));
   }
 }

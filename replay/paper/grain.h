@@ -13,6 +13,6 @@ namespace pentimento {
 /// lattice finer than two cells fades out, so that the grain stays the same painting's at every
 /// resolution and shows more where there are cells to show it. Writes the cells [x, x + out.size())
 /// of row y.
-void grain_row(const TileGrid& grid, int x, int y, std::span<float> out);
+void grain_row(const RepeatGrid& grid, int x, int y, std::span<float> out);
 
 }  // namespace pentimento

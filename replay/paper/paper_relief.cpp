@@ -33,7 +33,7 @@ class ScaledRows : public PaperRows {
 };
 
 struct Grain {
-  TileGrid grid;
+  RepeatGrid grid;
   void row(int x, int y, std::span<float> out) const { grain_row(grid, x, y, out); }
 };
 
@@ -71,9 +71,9 @@ bool is_builtin_paper(const std::string& name) {
 
 Result<std::unique_ptr<PaperRows>> paper_rows(const log::PaperSpec& paper,
                                               const CanvasGeometry& geometry, LogFiles& files) {
-  const TileGrid grid{geometry.width, geometry.height,
-                      paper.scale_m * geometry.width / geometry.width_m,
-                      paper.scale_m * geometry.height / geometry.height_m};
+  const RepeatGrid grid{geometry.width, geometry.height,
+                        paper.scale_m * geometry.width / geometry.width_m,
+                        paper.scale_m * geometry.height / geometry.height_m};
   if (paper.texture == "linen") return scaled(Weave(kLinen, grid), paper.relief_m);
   if (paper.texture == "canvas") return scaled(Weave(kCanvas, grid), paper.relief_m);
   if (paper.texture == "paper") return scaled(Grain{grid}, paper.relief_m);

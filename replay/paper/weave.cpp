@@ -27,14 +27,14 @@ Weave::Profile Weave::profile_at(const WeaveShape& shape, Side side, double u) {
 }
 
 std::vector<Weave::Profile> Weave::cell_means(const WeaveShape& shape, Side side, int cells,
-                                              double cells_per_tile) {
-  const double threads_per_cell = shape.threads / cells_per_tile;
+                                              double cells_per_repeat) {
+  const double threads_per_cell = shape.threads / cells_per_repeat;
   const int samples = kMeanSamples * (1 + static_cast<int>(std::min(threads_per_cell, 1e4)));
   std::vector<Profile> means(static_cast<std::size_t>(cells));
   for (int i = 0; i < cells; ++i) {
     Profile& mean = means[static_cast<std::size_t>(i)];
     for (int k = 0; k < samples; ++k) {
-      const Profile p = profile_at(shape, side, (i + (k + 0.5) / samples) / cells_per_tile);
+      const Profile p = profile_at(shape, side, (i + (k + 0.5) / samples) / cells_per_repeat);
       mean.body += p.body / samples;
       mean.sway += p.sway / samples;
       mean.wave += p.wave / samples;
@@ -42,9 +42,9 @@ std::vector<Weave::Profile> Weave::cell_means(const WeaveShape& shape, Side side
   }
   return means;
 }
-Weave::Weave(const WeaveShape& shape, const TileGrid& grid)
-    : columns_(cell_means(shape, Side::kWarp, grid.width, grid.cells_per_tile_x)),
-      rows_(cell_means(shape, Side::kWeft, grid.height, grid.cells_per_tile_y)) {}
+Weave::Weave(const WeaveShape& shape, const RepeatGrid& grid)
+    : columns_(cell_means(shape, Side::kWarp, grid.width, grid.cells_per_repeat_x)),
+      rows_(cell_means(shape, Side::kWeft, grid.height, grid.cells_per_repeat_y)) {}
 
 void Weave::row(int x, int y, std::span<float> out) const {
   const Profile& v = rows_[static_cast<std::size_t>(y)];

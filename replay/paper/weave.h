@@ -13,11 +13,11 @@ struct WeaveShape {
 };
 
 /// How the unit square lies on a grid.
-struct TileGrid {
+struct RepeatGrid {
   int width = 0;
   int height = 0;
-  double cells_per_tile_x = 1;
-  double cells_per_tile_y = 1;
+  double cells_per_repeat_x = 1;
+  double cells_per_repeat_y = 1;
 };
 
 /// Means over cells, 0..1. With p(u) = sin^2(pi n u) the profile of a thread, s(u) = sin(pi n u)
@@ -27,7 +27,7 @@ struct TileGrid {
 /// along a row and along a column, taken with kMeanSamples midpoints per thread or more.
 class Weave {
  public:
-  Weave(const WeaveShape& shape, const TileGrid& grid);
+  Weave(const WeaveShape& shape, const RepeatGrid& grid);
   /// Height of the cells [x, x + out.size()) of row y.
   void row(int x, int y, std::span<float> out) const;
 
@@ -40,7 +40,7 @@ class Weave {
   enum class Side { kWarp, kWeft };
   static Profile profile_at(const WeaveShape& shape, Side side, double u);
   static std::vector<Profile> cell_means(const WeaveShape& shape, Side side, int cells,
-                                         double cells_per_tile);
+                                         double cells_per_repeat);
   std::vector<Profile> columns_, rows_;  // mean profile of each cell along an axis
 };
 

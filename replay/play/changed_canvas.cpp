@@ -49,15 +49,16 @@ std::shared_ptr<const CanvasSource> change_channels(std::shared_ptr<const Canvas
   return std::make_shared<ChangedCanvas>(std::move(canvas), channel_conversion(old, basis));
 }
 
-DetailNotes change_channels(DetailNotes notes, const StateDump& dump, const ChannelBasis& basis) {
+DetailCheckpoint change_channels(DetailCheckpoint checkpoint, const StateDump& dump,
+                                 const ChannelBasis& basis) {
   const Eigen::MatrixXf to = channel_conversion(dump.basis, basis);
   const int layers = dump.state.layers;
-  const auto rows = static_cast<std::size_t>(kNotedPigment + layers * dump.basis.channels());
+  const auto rows = static_cast<std::size_t>(kCheckpointPigment + layers * dump.basis.channels());
   std::vector<std::uint32_t> table;
-  for (std::size_t first = 0; first < notes.tile.size(); first += rows) {
-    const std::uint32_t* tile = &notes.tile[first];
-    table.insert(table.end(), tile, tile + kNotedPigment);
-    const std::uint32_t* pigment = tile + kNotedPigment;
+  for (std::size_t first = 0; first < checkpoint.tile.size(); first += rows) {
+    const std::uint32_t* tile = &checkpoint.tile[first];
+    table.insert(table.end(), tile, tile + kCheckpointPigment);
+    const std::uint32_t* pigment = tile + kCheckpointPigment;
     for (int layer = 0; layer < layers; ++layer, pigment += to.cols())
       for (int c = 0; c < to.rows(); ++c) {
         std::uint32_t any = 0;
@@ -65,8 +66,8 @@ DetailNotes change_channels(DetailNotes notes, const StateDump& dump, const Chan
         table.push_back(any);
       }
   }
-  notes.tile = std::move(table);
-  return notes;
+  checkpoint.tile = std::move(table);
+  return checkpoint;
 }
 
 }  // namespace pentimento

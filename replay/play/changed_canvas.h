@@ -1,10 +1,10 @@
 #pragma once
-// What change_channels() does to a state, done to a finer canvas that is read part by part.
+// What change_channels() does to a state, done to a detail canvas that is read part by part.
 
 #include <memory>
 
 #include "core/canvas/canvas_source.h"
-#include "core/detail/store/detail_notes.h"
+#include "core/detail/store/detail_checkpoint.h"
 #include "core/optics/channels.h"
 #include "formats/hdf5/state_dump.h"
 
@@ -17,6 +17,7 @@ std::shared_ptr<const CanvasSource> change_channels(std::shared_ptr<const Canvas
                                                     const ChannelBasis& basis);
 
 /// The notes of `dump`, whose layers and basis they are in, for that canvas.
-DetailNotes change_channels(DetailNotes notes, const StateDump& dump, const ChannelBasis& basis);
+DetailCheckpoint change_channels(DetailCheckpoint checkpoint, const StateDump& dump,
+                                 const ChannelBasis& basis);
 
 }  // namespace pentimento

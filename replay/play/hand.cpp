@@ -25,11 +25,11 @@ Hand::Hand(Simulation& simulation, const HandInput& input)
 
 Result<void> Hand::apply(const Cue& cue) {
   if (const auto* stamp = std::get_if<StrokeStamp>(&cue.what)) {
-    simulation_.stamp(stamp->hand, stamp->stamp);
+    simulation_.stamp(stamp->slot, stamp->stamp);
   } else if (const auto* begin = std::get_if<StrokeBegin>(&cue.what)) {
-    simulation_.begin_stroke(begin->hand, begin->stroke_id);
+    simulation_.begin_stroke(begin->slot, begin->stroke_id);
   } else if (const auto* end = std::get_if<StrokeEnd>(&cue.what)) {
-    simulation_.end_stroke(end->hand);
+    simulation_.end_stroke(end->slot);
   } else {
     return act(std::get<log::Action>(cue.what));
   }
@@ -48,7 +48,7 @@ Result<void> Hand::act(const log::Action& action) {
   } else if (std::holds_alternative<log::Dry>(action)) {
     simulation_.dry();
   } else if (std::holds_alternative<log::Clear>(action)) {
-    if (input_.fine_ground != nullptr) input_.fine_ground->clear();
+    if (input_.detail_substrate != nullptr) input_.detail_substrate->clear();
     simulation_.clear();
   } else if (const auto* picture = std::get_if<log::Load>(&action)) {
     return load(*picture);
@@ -82,9 +82,10 @@ Result<void> Hand::load(const log::Load& load) {
   std::array<Field<float>, 3> on_grid;
   for (std::size_t c = 0; c < 3; ++c)
     on_grid[c] = resample_to((*rgb)[c].view(), grid.width, grid.height);
-  // The finer canvas takes the picture at its own size.
-  if (input_.fine_ground != nullptr) input_.fine_ground->load(input_.maker.ground(*rgb));
-  simulation_.load(input_.maker.ground(on_grid));
+  // The detail canvas takes the picture at its own size.
+  if (input_.detail_substrate != nullptr)
+    input_.detail_substrate->load(input_.maker.substrate(*rgb));
+  simulation_.load(input_.maker.substrate(on_grid));
   return {};
 }
 

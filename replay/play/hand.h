@@ -10,7 +10,7 @@
 #include "replay/log/brushes.h"
 #include "replay/log/log_files.h"
 #include "replay/log/palette.h"
-#include "replay/play/fine_ground.h"
+#include "replay/play/replay_substrate.h"
 #include "replay/timeline/cue.h"
 
 namespace pentimento {
@@ -21,9 +21,9 @@ struct HandInput {
   const Palette& palette;
   int first_color = 0;  // index into the palette
   LogFiles& files;
-  std::optional<Vec3f> fixed_gravity;  // in place of the log's, core's frame
-  FineGround* fine_ground = nullptr;   // of the finer canvas, if there is one
-  PaintMaker maker = {};               // of the simulation's optics
+  std::optional<Vec3f> fixed_gravity;           // in place of the log's, core's frame
+  ReplaySubstrate* detail_substrate = nullptr;  // of the detail canvas, if there is one
+  PaintMaker maker = {};                        // of the simulation's optics
 };
 
 class Hand {

@@ -45,7 +45,7 @@ void develop(const log::PictureSpec& picture, Lighting& lighting) {
   if (picture.tone) lighting.tone = *picture.tone;
 }
 
-void settle_lamp(Lamp& lamp, const log::Gravity& gravity) {
+void fix_lamp(Lamp& lamp, const log::Gravity& gravity) {
   const std::array<float, 3> up = to_float({gravity.x_m_s2, gravity.y_m_s2, gravity.z_m_s2});
   lamp.direction = lamp_direction(lamp, up);
   if (lamp.position_m) lamp.position_m = lamp_position(lamp, up);

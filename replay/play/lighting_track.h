@@ -10,8 +10,8 @@
 
 #include "core/base/result.h"
 #include "core/optics/lighting.h"
-#include "formats/film/video_reader.h"
 #include "formats/log/tables/events.h"
+#include "formats/video/video_reader.h"
 #include "replay/job/step_clock.h"
 #include "replay/log/log_files.h"
 
@@ -33,7 +33,7 @@ std::array<float, 3> unit_direction(const std::array<double, 3>& direction);
 void develop(const log::PictureSpec& picture, Lighting& lighting);
 
 /// Puts a lamp that follows gravity where it stands under `gravity`, for good.
-void settle_lamp(Lamp& lamp, const log::Gravity& gravity);
+void fix_lamp(Lamp& lamp, const log::Gravity& gravity);
 
 class LightingTrack {
  public:
@@ -59,14 +59,14 @@ class LightingTrack {
   Result<void> camera(const log::Camera& event, std::int64_t step, LogFiles& files);
 
   /// A video that the front camera recorded.
-  struct Video {
+  struct CameraVideo {
     std::unique_ptr<VideoReader> reader;
     double start_s = 0;      // of it, when the event happened
     std::int64_t begun = 0;  // step of the event
   };
   Lighting lighting_;
   StepClock clock_;
-  std::optional<Video> video_;
+  std::optional<CameraVideo> video_;
   log::Gravity gravity_;
 };
 

@@ -93,7 +93,7 @@ Result<void> choose_refinement(const RenderJob& job, LogSession& session) {
   session.detail = job.detail.value_or(detail_for(session.size, session.canvas));
   if (session.detail > 1 && session.model.scheme == SchemeKind::kPaper) {
     return Error{ErrorCode::kUsage,
-                 "scheme paper has no finer canvas: a larger picture of it needs --refine direct"};
+                 "scheme paper has no detail canvas: a larger picture of it needs --refine direct"};
   }
   return {};
 }
@@ -115,16 +115,16 @@ std::int64_t steps_to_simulate(const LogPlan& plan, const RenderJob& job, double
   return steps + StepClock(steps_per_second).steps_in(settle_us);
 }
 
-/// Goes on with the dump's finer canvas if it is as fine as this one. Otherwise says what becomes
+/// Goes on with the dump's detail canvas if it is as fine as this one. Otherwise says what becomes
 /// of it.
-void choose_fine_start(const RenderJob& job, LogSession& session, const Control& control) {
+void choose_detail_start(const RenderJob& job, LogSession& session, const Control& control) {
   if (!session.start) return;
   StateDump& dump = *session.start;
   const std::shared_ptr<const CanvasSource> fine = std::move(dump.fine);
   const int k = session.detail;
-  if (fine && dump.notes && dump.detail == k) {
-    session.fine_start = {change_channels(fine, dump.basis, session.basis),
-                          change_channels(std::move(*dump.notes), dump, session.basis)};
+  if (fine && dump.checkpoint && dump.detail == k) {
+    session.detail_start = {change_channels(fine, dump.basis, session.basis),
+                            change_channels(std::move(*dump.checkpoint), dump, session.basis)};
     return;
   }
   const auto tell = [&](const std::string& why) { control.warning(job.from + ": " + why); };
@@ -134,12 +134,12 @@ void choose_fine_start(const RenderJob& job, LogSession& session, const Control&
                     "--detail {}",
                     dump.detail, dump.detail));
   } else if (k > 1) {
-    tell(fmt::format("{}; the finer canvas is made anew from the guide",
-                     dump.detail == k ? "its finer canvas has no /detail to go on from"
+    tell(fmt::format("{}; the detail canvas is made anew from the guide",
+                     dump.detail == k ? "its detail canvas has no /detail to go on from"
                      : fine
                          ? fmt::format("its canvas is {} times finer than its guide, this one {}",
                                        dump.detail, k)
-                         : "it has no finer canvas"));
+                         : "it has no detail canvas"));
   }
 }
 
@@ -189,7 +189,7 @@ Result<LogSession> open_session(const RenderJob& job, const Control& control) {
     session.grid = session.refine == Refine::kDirect ? simulation_grid(*size, job, session.canvas)
                                                      : session.canvas;
   }
-  choose_fine_start(job, session, control);
+  choose_detail_start(job, session, control);
   session.steps = steps_to_simulate(session.plan, job, header.steps_per_second);
   tell_oddities(session, control);
   return session;
@@ -203,7 +203,7 @@ Result<std::unique_ptr<Simulation>> make_simulation(LogSession& session, const T
   setup.basis = session.basis;
   setup.dt_s = StepClock(header.steps_per_second).dt_s();
   const log::Rgb& paper = header.paper.reflectance;
-  setup.paper_reflectance = session.maker.ground(
+  setup.paper_reflectance = session.maker.substrate(
       {static_cast<float>(paper[0]), static_cast<float>(paper[1]), static_cast<float>(paper[2])});
   if (session.start) {
     setup.paper_m = session.start->state.paper_m.clone();

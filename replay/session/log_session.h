@@ -12,7 +12,7 @@
 #include "replay/job/render_job.h"
 #include "replay/log/brushes.h"
 #include "replay/log/log_files.h"
-#include "replay/play/fine_canvas.h"
+#include "replay/play/replay_detail.h"
 #include "replay/session/log_plan.h"
 
 namespace pentimento {
@@ -28,8 +28,8 @@ struct LogSession {
   int first_color = 0;  // index of what the first brush is loaded with
   ChannelBasis basis;
   std::optional<StateDump> start;  // --from, its guide's channels in `basis`; without its `fine`
-  std::optional<FineStart> fine_start;  // the finer canvas that goes on
-  CanvasGeometry canvas;                // the log's grid
+  std::optional<DetailStart> detail_start;  // the detail canvas that goes on
+  CanvasGeometry canvas;                    // the log's grid
   OutputSize size;
   CanvasGeometry grid;  // of the simulation
   Refine refine = Refine::kGuided;

@@ -10,17 +10,17 @@
 
 namespace pentimento {
 
-/// `hand` numbers the touches that are down at once, from 0: the lowest free number is taken.
+/// `slot` numbers the touches that are down at once, from 0: the lowest free number is taken.
 struct StrokeBegin {
-  int hand = 0;
+  int slot = 0;
   std::uint32_t stroke_id = 0;  // from 1, played strokes only
 };
 struct StrokeStamp {
-  int hand = 0;
+  int slot = 0;
   Stamp stamp;
 };
 struct StrokeEnd {
-  int hand = 0;
+  int slot = 0;
 };
 
 struct Cue {

@@ -239,10 +239,11 @@ TEST(CommandRender, AFinerCanvasThatCannotGoOnIsMadeAnewAndSaysSo) {
   EXPECT_EQ(says("--from 2.h5 --detail 2"), "");
   EXPECT_NE(says("--from 2.h5 --detail 3")
                 .find("2.h5: its canvas is 2 times finer than its guide, "
-                      "this one 3; the finer canvas is made anew"),
+                      "this one 3; the detail canvas is made anew"),
             std::string::npos);
-  EXPECT_NE(says("--from 1.h5 --detail 2").find("it has no finer canvas; the finer canvas is made"),
-            std::string::npos);
+  EXPECT_NE(
+      says("--from 1.h5 --detail 2").find("it has no detail canvas; the detail canvas is made"),
+      std::string::npos);
   EXPECT_NE(says("--from 2.h5").find("which alone goes on without --detail 2"), std::string::npos);
 }
 

@@ -2,7 +2,7 @@
 // with what was frozen. Nothing is shaded or written.
 //
 // A line of input: LOG, SCHEME (conservative, paper), AT (as --at takes it), DETAIL, THREADS,
-// separated by tabs. DETAIL above 1 is that of the finer canvas; the published fluid has none and
+// separated by tabs. DETAIL above 1 is that of the detail canvas; the published fluid has none and
 // is simulated on a grid that many times finer (--refine direct). A line of output is the hash.
 
 #include <iostream>

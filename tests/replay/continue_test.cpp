@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "core/fluid/conservative/tiles/tiles.h"
+#include "core/fluid/conservative/tiles/sleep_tiles.h"
 #include "core/simulation/simulation.h"
 #include "formats/hdf5/state_dump.h"
 #include "replay/play/copies.h"

@@ -62,16 +62,16 @@ FilmSpline::FilmSpline(const Field<float>& plane, const CellBox& box)
       height_(box.height() + 2 * kAround) {
   const std::size_t cells = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
   std::vector<float> held(cells);
-  fill_.resize(cells);
+  coverage_.resize(cells);
   std::size_t i = 0;
   for (int y = y0_; y < y0_ + height_; ++y)
     for (int x = x0_; x < x0_ + width_; ++x, ++i) {
       const int px = std::clamp(x, 0, plane.width() - 1), py = std::clamp(y, 0, plane.height() - 1);
       held[i] = plane(px, py);
-      fill_[i] = fill_at(plane, px, py);
+      coverage_[i] = fill_at(plane, px, py);
     }
   film_ = held;
-  const std::vector<float> spread = spline_means(fill_, width_, height_);
+  const std::vector<float> spread = spline_means(coverage_, width_, height_);
   std::vector<float> profile(cells, 1.0f);
   for (int y = kTap; y < height_ - kTap; ++y)
     for (int x = kTap; x < width_ - kTap; ++x) {
@@ -85,7 +85,7 @@ FilmSpline::FilmSpline(const Field<float>& plane, const CellBox& box)
 float FilmSpline::profile_mean(std::size_t cell) const {
   std::array<std::array<float, kPoints.size()>, 2 * kTap + 1> along{};
   for (int j = -kTap; j <= kTap; ++j) {
-    const float* row = fill_.data() + static_cast<std::ptrdiff_t>(cell) + j * width_;
+    const float* row = coverage_.data() + static_cast<std::ptrdiff_t>(cell) + j * width_;
     std::array<float, kPoints.size()>& sums = along[static_cast<std::size_t>(j + kTap)];
     for (std::size_t p = 0; p < kPoints.size(); ++p)
       for (int i = 0; i < 4; ++i)

@@ -29,7 +29,7 @@ class FilmSpline {
   static constexpr int kMargin = TileNeighbourhood::kMargin;  // cells with coefficients around it
   FilmSpline(const Field<float>& plane, const CellBox& box);
   /// Cells at most kMargin outside the box; beyond the canvas they repeat its outermost.
-  float fill(int x, int y) const { return fill_[at(x, y)]; }
+  float coverage(int x, int y) const { return coverage_[at(x, y)]; }
   float film(int x, int y) const { return film_[at(x, y)]; }
 
  private:
@@ -41,7 +41,7 @@ class FilmSpline {
                const std::vector<float>& spread, int margin);
 
   int x0_, y0_, width_, height_;
-  std::vector<float> fill_, film_;
+  std::vector<float> coverage_, film_;
 };
 
 }  // namespace pentimento

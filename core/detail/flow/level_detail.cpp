@@ -14,7 +14,7 @@ namespace {
 constexpr float kRipple_per_m2 = 4e7f;  // squared wave number of ripples of a millimetre
 constexpr float kLeastRate = 1e-3f;     // slower levelling shows in no session
 constexpr int kReach = TileNeighbourhood::kMargin;  // of what levels, in cells
-constexpr int kBeside = kLevelReach - kReach;
+constexpr int kBeside = kLevellingRadius - kReach;
 
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);
@@ -98,7 +98,7 @@ class TileLeveller {
     smooth([&](int x, int y) { return rates.at(x, y); }, rate_);
     spare_dry_blocks();
     const FilmSpline spline(guide_.depth_m, box);
-    smooth([&](int x, int y) { return spline.fill(x, y); }, wet_);
+    smooth([&](int x, int y) { return spline.coverage(x, y); }, wet_);
     smooth([&](int x, int y) { return spline.film(x, y); }, depth_);
     smooth([&](int x, int y) { return guide_.depth_m(x, y); }, plain_depth_);
     smooth([&](int x, int y) { return guide_.base_m(x, y); }, base_);
@@ -106,7 +106,7 @@ class TileLeveller {
     for (int row = 0; row < rows(); ++row) {
       float* depth = tile.depth_m.data() + in_tile(tile, row);
       std::copy_n(depth, cells(), before_.begin() + row * cells());
-      level_row(fields(row), tile.base_m.data() + in_tile(tile, row), cells(), depth);
+      relax_depth_row(fields(row), tile.base_m.data() + in_tile(tile, row), cells(), depth);
     }
     for (std::size_t p = 0; p < tile.pigment.size(); ++p)
       if (tile.pigment[p]) carry(tile, p);
@@ -147,12 +147,12 @@ class TileLeveller {
     const Field<float>& amount = guide_.pigment[plane];
     smooth([&](int x, int y) { return amount(x, y); }, amount_);
     const FilmSpline spline(amount, box_);
-    smooth([&](int x, int y) { return spline.fill(x, y); }, stain_);
+    smooth([&](int x, int y) { return spline.coverage(x, y); }, stain_);
     for (int row = 0; row < rows(); ++row) {
       const std::size_t i = at(row) * at(cells());
       const std::ptrdiff_t first = in_tile(tile, row);
-      carry_row(fields(row), {&amount_[i], &plain_depth_[i], &stain_[i]}, &before_[i],
-                tile.depth_m.data() + first, cells(), tile.pigment[plane].data() + first);
+      relax_pigment_row(fields(row), {&amount_[i], &plain_depth_[i], &stain_[i]}, &before_[i],
+                        tile.depth_m.data() + first, cells(), tile.pigment[plane].data() + first);
     }
   }
 

@@ -9,7 +9,7 @@
 namespace pentimento {
 
 /// Cells change no farther than that from cells whose paint moves.
-inline constexpr int kLevelReach = 3;
+inline constexpr int kLevellingRadius = 3;
 
 /// Relaxes the depth in the cells of tiles in `moving` where the guide's paint moves, or moves in a
 /// cell beside it:

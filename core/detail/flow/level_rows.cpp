@@ -29,7 +29,7 @@ float edge_profile(float wetness) {
 }
 
 PENTIMENTO_KERNEL
-void level_row(const LevelRow& guide, const float* base_m, int n, float* __restrict depth_m) {
+void relax_depth_row(const LevelRow& guide, const float* base_m, int n, float* __restrict depth_m) {
   const float *rate = guide.rate, *wet = guide.wet, *depth = guide.depth_m, *base = guide.base_m;
   PENTIMENTO_INDEPENDENT
   for (int i = 0; i < n; ++i) {
@@ -40,19 +40,19 @@ void level_row(const LevelRow& guide, const float* base_m, int n, float* __restr
 }
 
 PENTIMENTO_KERNEL
-void carry_row(const LevelRow& guide, const StainRow& pigment, const float* before_m,
-               const float* after_m, int n, float* __restrict amount) {
+void relax_pigment_row(const LevelRow& guide, const LevelPigmentRow& pigment, const float* before_m,
+                       const float* after_m, int n, float* __restrict amount) {
   const float *rate = guide.rate, *film = pigment.depth_m;
-  const float *smooth = pigment.amount, *stain = pigment.stain;
+  const float *smooth = pigment.amount, *coverage = pigment.coverage;
   PENTIMENTO_INDEPENDENT
   for (int i = 0; i < n; ++i) {
     const float gained = after_m[i] - before_m[i];
     const float kept = gained < 0 ? share(after_m[i], before_m[i]) : 1.0f;
     const float brought = gained < 0 ? 0.0f : gained * share(smooth[i], film[i]);
     const float carried = amount[i] * kept + brought;
-    const float reach = kEdgeReach * (1 - stain[i]), edge = reach < 1 ? reach : 1.0f;
-    const float target = profile(stain[i], kStainLow) * share(smooth[i], stain[i]);
-    const float pull = stain[i] > 0 && edge > 0 ? rate[i] * edge : 0.0f;
+    const float reach = kEdgeReach * (1 - coverage[i]), edge = reach < 1 ? reach : 1.0f;
+    const float target = profile(coverage[i], kStainLow) * share(smooth[i], coverage[i]);
+    const float pull = coverage[i] > 0 && edge > 0 ? rate[i] * edge : 0.0f;
     amount[i] = carried + pull * (target - carried);
   }
 }

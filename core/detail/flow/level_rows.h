@@ -18,13 +18,13 @@ float edge_profile(float wetness);
 /// d += L (m(W) max(0, S + b_s - b) - d),  S = d_s / W, over n cells.
 /// Scheme: relaxation. Stable: 0 <= L < 1, so d stays between itself and the target, >= 0.
 /// Source: level_detail.h. Departs from it: nothing.
-void level_row(const LevelRow& guide, const float* base_m, int n, float* depth_m);
+void relax_depth_row(const LevelRow& guide, const float* base_m, int n, float* depth_m);
 
 /// Smooth fields of one pigment of the guide.
-struct StainRow {
+struct LevelPigmentRow {
   const float* amount;
-  const float* depth_m;  // its guide's, smoothed in the same way
-  const float* stain;    // how full of this pigment, [0, 1]
+  const float* depth_m;   // its guide's, smoothed in the same way
+  const float* coverage;  // how full of this pigment, [0, 1]
 };
 
 /// What depth that came or went does to a pigment a, d' and d after and before:
@@ -32,7 +32,7 @@ struct StainRow {
 /// then near the pigment's own edge, over its wetness E = a_s's fullness:
 ///   a += L min(1, 4 (1 - E)) (m(E + 0.12) a_s / E - a)
 /// Scheme: pointwise. Stable: a stays >= 0. Source: level_detail.h. Departs from it: nothing.
-void carry_row(const LevelRow& guide, const StainRow& pigment, const float* before_m,
-               const float* after_m, int n, float* amount);
+void relax_pigment_row(const LevelRow& guide, const LevelPigmentRow& pigment, const float* before_m,
+                       const float* after_m, int n, float* amount);
 
 }  // namespace pentimento

@@ -8,7 +8,7 @@
 namespace pentimento {
 
 namespace {
-constexpr int kAround = kLevelReach;
+constexpr int kAround = kLevellingRadius;
 constexpr int kLookedAt = 64;  // edges at a time
 
 /// Calls body(x0, x1) for pieces of a row that have edges that move, all of them inside.

@@ -11,7 +11,7 @@ struct Lock::Job {
   DetailCanvas& canvas;
   const CanvasState& guide;
   const Threads& threads;
-  int grain;  // strips that are worth a task
+  int grain_size;  // strips that are worth a task
 
   BlockRow row_of(const Strip& strip, const WetPlane& q) const {
     return block_row(q.of(*strip.tile).data(), canvas.layout(), strip.at);
@@ -87,14 +87,16 @@ void Lock::list(DetailCanvas& canvas, const std::vector<BlockStrip>& strips) {
   blocks_ = split_.size();
   counted_.assign(strips_.size(), {});
   off_.assign(strips_.size(), 0);
-  if (owed_.size() < strips_.size()) owed_.resize(strips_.size());
+  if (uncovered_.size() < strips_.size()) uncovered_.resize(strips_.size());
 }
 
 template <typename Body>
 void Lock::for_strips(const Job& job, const Body& body) {
-  job.threads.for_ranges(0, static_cast<int>(strips_.size()), job.grain, [&](int begin, int end) {
-    for (auto s = static_cast<std::size_t>(begin); s < static_cast<std::size_t>(end); ++s) body(s);
-  });
+  job.threads.for_ranges(
+      0, static_cast<int>(strips_.size()), job.grain_size, [&](int begin, int end) {
+        for (auto s = static_cast<std::size_t>(begin); s < static_cast<std::size_t>(end); ++s)
+          body(s);
+      });
 }
 
 void Lock::lock_group(const Job& job, const Group& group) {
@@ -120,7 +122,7 @@ void Lock::lock_group(const Job& job, const Group& group) {
       for (std::vector<Field<float>>& ratio : ratio_)
         std::fill_n(ratio[p].row(strip.at.y) + strip.at.x0, strip.at.blocks(), 1.0f);
   for_strips(job, [&](std::size_t s) { make_exact(job, group, s); });
-  fill_owed_blocks(job, group);
+  fill_uncovered_blocks(job, group);
 }
 
 /// Multiplies by the ratios of the pass before; keeps `held_` up to date.
@@ -135,13 +137,13 @@ void Lock::smooth(const Job& job, const WetPlane& q, std::size_t plane, const St
 }
 
 /// What the guide wants in a block, and what it holds: of a plane, or of all layers of a pigment.
-Lock::Claim Lock::claim(const Job& job, const Group& group, std::size_t plane, const Strip& strip,
-                        int block) const {
+Lock::Target Lock::target_of(const Job& job, const Group& group, std::size_t plane,
+                             const Strip& strip, int block) const {
   const std::size_t b = strip.first + at(block);
   const int x = strip.at.x0 + block, y = strip.at.y;
   if (split_[b] == 0 || group.size() == 1)
     return {group[plane].of(job.guide)(x, y), held_[plane * blocks_ + b]};
-  Claim sum;
+  Target sum;
   for (std::size_t p = 0; p < group.size(); ++p) {
     sum.wanted += group[p].of(job.guide)(x, y);
     sum.held += held_[p * blocks_ + b];
@@ -156,7 +158,7 @@ void Lock::find_ratios(const Job& job, const Group& group, std::size_t s, int pa
     float* ratio = ratio_[at(pass) % 2][p].row(strip.at.y) + strip.at.x0;
     for (int i = 0; i < strip.at.blocks(); ++i) {
       ratio[i] = 1;
-      const Claim c = claim(job, group, p, strip, i);
+      const Target c = target_of(job, group, p, strip, i);
       if (!(c.wanted > 0) || !(c.held > 0)) continue;
       const float r = c.wanted / c.held;
       if (pass == 0) count_ratio(r, counted_[s]);
@@ -170,13 +172,13 @@ void Lock::find_ratios(const Job& job, const Group& group, std::size_t s, int pa
 
 void Lock::make_exact(const Job& job, const Group& group, std::size_t s) {
   const Strip& strip = strips_[s];
-  owed_[s].clear();
+  uncovered_[s].clear();
   std::array<float, kMostTileSide> scale;
   for (std::size_t p = 0; p < group.size(); ++p) {
     if (!group[p].of(*strip.tile)) continue;
     bool all_one = true;
     for (int i = 0; i < strip.at.blocks(); ++i) {
-      const Claim c = claim(job, group, p, strip, i);
+      const Target c = target_of(job, group, p, strip, i);
       float& by = scale[at(i)];
       by = 1;
       if (!(c.wanted > 0)) {
@@ -186,26 +188,28 @@ void Lock::make_exact(const Job& job, const Group& group, std::size_t s) {
       } else {
         // What the guide has in this very layer, split or not.
         const int x = strip.at.x0 + i, y = strip.at.y;
-        owed_[s].push_back({x, y, static_cast<int>(p), group[p].of(job.guide)(x, y), {}});
+        uncovered_[s].push_back({x, y, static_cast<int>(p), group[p].of(job.guide)(x, y), {}});
       }
       all_one = all_one && by == 1;
     }
     if (!all_one) scale_blocks({scale.data(), at(strip.at.blocks())}, job.row_of(strip, group[p]));
   }
-  counted_[s].owed += static_cast<std::int64_t>(owed_[s].size());
+  counted_[s].owed += static_cast<std::int64_t>(uncovered_[s].size());
 }
 
 /// All are decided from the canvas as it is before any is written: neighbours may both owe.
-void Lock::fill_owed_blocks(const Job& job, const Group& group) {
-  const auto owes = [](const std::vector<OwedBlock>& blocks) { return !blocks.empty(); };
-  if (std::none_of(owed_.begin(), owed_.begin() + static_cast<std::ptrdiff_t>(strips_.size()),
-                   owes))
+void Lock::fill_uncovered_blocks(const Job& job, const Group& group) {
+  const auto owes = [](const std::vector<UncoveredBlock>& blocks) { return !blocks.empty(); };
+  if (std::none_of(uncovered_.begin(),
+                   uncovered_.begin() + static_cast<std::ptrdiff_t>(strips_.size()), owes))
     return;
   for_strips(job, [&](std::size_t s) {
-    for (OwedBlock& block : owed_[s]) fill_owed(job.canvas, group[at(block.plane)], block);
+    for (UncoveredBlock& block : uncovered_[s])
+      fill_uncovered(job.canvas, group[at(block.plane)], block);
   });
   for_strips(job, [&](std::size_t s) {
-    for (const OwedBlock& block : owed_[s]) store_owed(job.canvas, group[at(block.plane)], block);
+    for (const UncoveredBlock& block : uncovered_[s])
+      store_uncovered(job.canvas, group[at(block.plane)], block);
   });
 }
 

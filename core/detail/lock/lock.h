@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/base/threads.h"
-#include "core/detail/lock/owed_blocks.h"
+#include "core/detail/lock/uncovered_blocks.h"
 #include "core/detail/store/changed_blocks.h"
 #include "core/detail/store/detail_canvas.h"
 
@@ -31,7 +31,7 @@ class Lock {
   ///   3 times: r = guide / block mean, 1 where either is 0 or r beyond [1/2, 2];
   ///            value *= bilinear r
   ///   then value *= guide / block mean, whatever that is; blocks that owe more than 16 times what
-  ///   they hold are filled (owed_blocks.h)
+  ///   they hold are filled (uncovered_blocks.h)
   /// per layer of a pigment; of its sum over layers, the same ratio for all, where the layers do
   /// not correspond (open_cells.h).
   /// Scheme: multiplicative, so nothing becomes negative and bare cells stay bare.
@@ -53,7 +53,7 @@ class Lock {
     DetailTile* tile = nullptr;
     std::size_t first = 0;  // of its blocks in the tables
   };
-  struct Claim {
+  struct Target {
     float wanted = 0, held = 0;
   };
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
@@ -65,11 +65,11 @@ class Lock {
   void for_strips(const Job& job, const Body& body);
   void lock_group(const Job& job, const Group& group);
   void smooth(const Job& job, const WetPlane& q, std::size_t plane, const Strip& strip, int pass);
-  Claim claim(const Job& job, const Group& group, std::size_t plane, const Strip& strip,
-              int block) const;
+  Target target_of(const Job& job, const Group& group, std::size_t plane, const Strip& strip,
+                   int block) const;
   void find_ratios(const Job& job, const Group& group, std::size_t s, int pass);
   void make_exact(const Job& job, const Group& group, std::size_t s);
-  void fill_owed_blocks(const Job& job, const Group& group);
+  void fill_uncovered_blocks(const Job& job, const Group& group);
 
   std::vector<Strip> strips_;
   std::size_t blocks_ = 0;
@@ -79,7 +79,7 @@ class Lock {
   std::vector<std::uint8_t> split_;  // per block: layers do not correspond
   std::vector<std::uint8_t> off_;    // per strip: has a ratio that is not 1
   std::vector<LockStatistics> counted_;
-  std::vector<std::vector<OwedBlock>> owed_;
+  std::vector<std::vector<UncoveredBlock>> uncovered_;
   LockStatistics statistics_;
 };
 

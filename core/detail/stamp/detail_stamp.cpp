@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/detail/stamp/stamp_band.h"
+#include "core/detail/stamp/stamp_rows.h"
 #include "core/detail/store/open_cells.h"
 
 namespace pentimento {
@@ -16,21 +16,21 @@ DetailStamp::DetailStamp(DetailCanvas& canvas, std::span<const float> amount,
                          const Threads& threads)
     : canvas_(canvas), amount_(amount.begin(), amount.end()), threads_(threads) {}
 
-void DetailStamp::lift(const StampPlan& plan, const CanvasState& guide) {
+void DetailStamp::before_deposit(const StampPlan& plan, const CanvasState& guide) {
   if (used_ == kMostWaiting) finish();
   if (used_ == stamps_.size()) stamps_.push_back(std::make_unique<QueuedStamp>(canvas_.channels()));
-  stamps_[used_++]->lift(plan, guide, canvas_.layout(), amount_);
+  stamps_[used_++]->before_deposit(plan, guide, canvas_.layout(), amount_);
 }
 
-void DetailStamp::lay(const StampPlan& plan, const CanvasState& guide) {
+void DetailStamp::after_deposit(const StampPlan& plan, const CanvasState& guide) {
   QueuedStamp& stamp = *stamps_[used_ - 1];
-  stamp.lay(plan, guide);
+  stamp.after_deposit(plan, guide);
   const CellBox& blocks = stamp.blocks();
   for_tiles(blocks, [&](int tile) {
     const CellBox box = canvas_.layout().box(tile);
-    canvas_.cover(tile, guide,
-                  {std::max(box.x0, blocks.x0), std::min(box.x1, blocks.x1),
-                   std::max(box.y0, blocks.y0), std::min(box.y1, blocks.y1)});
+    canvas_.ensure_planes(tile, guide,
+                          {std::max(box.x0, blocks.x0), std::min(box.x1, blocks.x1),
+                           std::max(box.y0, blocks.y0), std::min(box.y1, blocks.y1)});
   });
 }
 
@@ -70,10 +70,11 @@ bool DetailStamp::prepare(TileWork& work) {
   return true;
 }
 
-std::vector<DetailStamp::Band> DetailStamp::list_bands(const std::vector<TileWork>& works) const {
+std::vector<DetailStamp::RowRange> DetailStamp::list_row_ranges(
+    const std::vector<TileWork>& works) const {
   const DetailLayout& layout = canvas_.layout();
   const int rows = std::max(1, kBandRows / layout.factor());
-  std::vector<Band> bands;
+  std::vector<RowRange> bands;
   for (const TileWork& work : works) {
     const CellBox box = layout.box(work.tile);
     for (int y = box.y0; y < box.y1; y += rows) {
@@ -92,11 +93,11 @@ void DetailStamp::finish() {
   if (used_ == 0) return;
   std::vector<TileWork> works = list_work();
   std::erase_if(works, [&](TileWork& work) { return !prepare(work); });
-  const std::vector<Band> bands = list_bands(works);
+  const std::vector<RowRange> bands = list_row_ranges(works);
   threads_.for_ranges(0, static_cast<int>(bands.size()), 1, [&](int begin, int end) {
-    StampBand band(canvas_, amount_);
+    StampRows band(canvas_, amount_);
     for (int i = begin; i < end; ++i) {
-      const Band& part = bands[static_cast<std::size_t>(i)];
+      const RowRange& part = bands[static_cast<std::size_t>(i)];
       band.begin(part.work->tile, part.work->channels, part.y0, part.y1);
       for (const QueuedStamp* stamp : part.work->stamps) band.apply(*stamp);
     }

@@ -19,9 +19,9 @@ class DetailStamp {
   DetailStamp(DetailCanvas& canvas, std::span<const float> amount, const Threads& threads);
 
   /// Takes note of a stamp: the guide has just lifted, and not laid yet.
-  void lift(const StampPlan& plan, const CanvasState& guide);
+  void before_deposit(const StampPlan& plan, const CanvasState& guide);
   /// The guide has laid. Makes planes for what came.
-  void lay(const StampPlan& plan, const CanvasState& guide);
+  void after_deposit(const StampPlan& plan, const CanvasState& guide);
   /// Does all stamps noted since the last time.
   void finish();
   /// Forgets them.
@@ -37,7 +37,7 @@ class DetailStamp {
     std::vector<const QueuedStamp*> stamps;
   };
   /// Rows of blocks [y0, y1) of a tile.
-  struct Band {
+  struct RowRange {
     const TileWork* work;
     int y0, y1;
   };
@@ -45,7 +45,7 @@ class DetailStamp {
   void for_tiles(const CellBox& blocks, const Body& body) const;
   std::vector<TileWork> list_work() const;
   bool prepare(TileWork& work);
-  std::vector<Band> list_bands(const std::vector<TileWork>& works) const;
+  std::vector<RowRange> list_row_ranges(const std::vector<TileWork>& works) const;
 
   DetailCanvas& canvas_;
   std::vector<float> amount_;

@@ -39,8 +39,8 @@ void for_blocks(const CellBox& blocks, std::vector<BlockLayers>& layers, const B
 }
 }  // namespace
 
-void QueuedStamp::lift(const StampPlan& plan, const CanvasState& guide, const DetailLayout& layout,
-                       std::span<const float> amount) {
+void QueuedStamp::before_deposit(const StampPlan& plan, const CanvasState& guide,
+                                 const DetailLayout& layout, std::span<const float> amount) {
   const CanvasGeometry fine = layout.fine();
   const int k = layout.factor();
   plan_ = plan;
@@ -50,7 +50,7 @@ void QueuedStamp::lift(const StampPlan& plan, const CanvasState& guide, const De
   plan_.tip = nullptr;
   grip_ = plan.tip->grip_table();
   ends_ = plan.tip->end_table();
-  lays_ = false;
+  deposits_ = false;
   cells_ = cells_of(plan, fine, k);
   blocks_ = {cells_.x / k, (cells_.x + cells_.width + k - 1) / k, cells_.y / k,
              (cells_.y + cells_.height + k - 1) / k};
@@ -70,10 +70,10 @@ void QueuedStamp::lift(const StampPlan& plan, const CanvasState& guide, const De
   });
 }
 
-void QueuedStamp::lay(const StampPlan& plan, const CanvasState& guide) {
+void QueuedStamp::after_deposit(const StampPlan& plan, const CanvasState& guide) {
   reservoir_ = *plan.reservoir;
   plan_.reservoir = &reservoir_;
-  lays_ = true;
+  deposits_ = true;
   for_blocks(blocks_, layers_, [&](int x, int y, BlockLayers& block) {
     if (guide.stroke(x, y) == plan.stroke_id) return;
     block.opens = false;
@@ -82,7 +82,7 @@ void QueuedStamp::lay(const StampPlan& plan, const CanvasState& guide) {
 }
 
 bool QueuedStamp::opens_in(const CellBox& part) const {
-  if (!lays_) return false;
+  if (!deposits_) return false;
   const int x0 = std::max(part.x0, blocks_.x0), x1 = std::min(part.x1, blocks_.x1);
   for (int y = std::max(part.y0, blocks_.y0); y < std::min(part.y1, blocks_.y1); ++y)
     for (int x = x0; x < x1; ++x)

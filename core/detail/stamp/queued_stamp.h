@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/brush/stamp_plan.h"
-#include "core/brush/tip_print.h"
+#include "core/brush/tip_footprint.h"
 #include "core/detail/store/block_layers.h"
 #include "core/detail/store/detail_layout.h"
 
@@ -24,17 +24,17 @@ class QueuedStamp {
   explicit QueuedStamp(int channels) : reservoir_(channels) {}
 
   /// The guide has lifted: what it is about to lay into. `amount` as in LayerRow.
-  void lift(const StampPlan& plan, const CanvasState& guide, const DetailLayout& layout,
-            std::span<const float> amount);
+  void before_deposit(const StampPlan& plan, const CanvasState& guide, const DetailLayout& layout,
+                      std::span<const float> amount);
   /// The guide has laid.
-  void lay(const StampPlan& plan, const CanvasState& guide);
+  void after_deposit(const StampPlan& plan, const CanvasState& guide);
 
   const StampPlan& plan() const { return plan_; }
-  const TipPrint& tip() const { return tip_; }
-  const HairTable& grip() const { return grip_; }
-  const HairTable& ends() const { return ends_; }
+  const TipFootprint& tip() const { return tip_; }
+  const BristleTable& grip() const { return grip_; }
+  const BristleTable& ends() const { return ends_; }
   /// False: it only lifts.
-  bool lays() const { return lays_; }
+  bool deposits() const { return deposits_; }
   /// The cells of the tip, and all of the blocks that the guide's stamp may touch.
   const FootprintBox& cells() const { return cells_; }
   /// The blocks of those cells.
@@ -51,12 +51,12 @@ class QueuedStamp {
   StampPlan plan_;
   PaintLoad load_;
   Reservoir reservoir_;
-  HairTable grip_, ends_;
-  TipPrint tip_;
+  BristleTable grip_, ends_;
+  TipFootprint tip_;
   FootprintBox cells_;
   CellBox blocks_;
   std::vector<BlockLayers> layers_;  // per block, row by row
-  bool lays_ = false;
+  bool deposits_ = false;
 };
 
 }  // namespace pentimento

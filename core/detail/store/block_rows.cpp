@@ -8,7 +8,7 @@
 namespace pentimento {
 
 namespace {
-using Cells = std::array<float, kMostTileSide>;
+using TileRowBuffer = std::array<float, kMostTileSide>;
 
 PENTIMENTO_KERNEL
 void add_rows(const float* value, std::ptrdiff_t stride, int rows, int n, float* __restrict sum) {
@@ -46,8 +46,8 @@ float share_of(int i, int factor) {
 }
 
 /// A row of the field at the fine columns of the blocks.
-void stretch(const float* ratio, const RatioRows& rows, const BlockRow& row, const Cells& share,
-             Cells& out) {
+void stretch(const float* ratio, const RatioRows& rows, const BlockRow& row,
+             const TileRowBuffer& share, TileRowBuffer& out) {
   const int k = row.factor, half = k / 2;
   float* to = out.data();
   for (int i = 0; i < row.blocks; ++i, to += k) {
@@ -62,7 +62,7 @@ void stretch(const float* ratio, const RatioRows& rows, const BlockRow& row, con
   }
 }
 
-void means_of(const Cells& sum, const BlockRow& row, std::span<float> mean) {
+void means_of(const TileRowBuffer& sum, const BlockRow& row, std::span<float> mean) {
   const double per_block = 1.0 / (static_cast<double>(row.factor) * row.factor);
   const float* column = sum.data();
   for (int i = 0; i < row.blocks; ++i, column += row.factor) {
@@ -85,7 +85,7 @@ RatioRows ratio_rows(const Field<float>& plane, int x, int y) {
 }
 
 void block_means(const BlockRow& row, std::span<float> mean) {
-  Cells sum;
+  TileRowBuffer sum;
   std::fill_n(sum.begin(), row.cells(), 0.0f);
   add_rows(row.first, row.stride, row.factor, row.cells(), sum.data());
   means_of(sum, row, mean);
@@ -93,7 +93,7 @@ void block_means(const BlockRow& row, std::span<float> mean) {
 
 void scale_by_field(const RatioRows& ratio, const BlockRow& row, std::span<float> mean) {
   const int k = row.factor, half = k / 2, n = row.cells();
-  Cells share, above, here, below, sum;
+  TileRowBuffer share, above, here, below, sum;
   for (int i = 0; i < k; ++i) share[static_cast<std::size_t>(i)] = share_of(i, k);
   stretch(ratio.above, ratio, row, share, above);
   stretch(ratio.here, ratio, row, share, here);
@@ -107,7 +107,7 @@ void scale_by_field(const RatioRows& ratio, const BlockRow& row, std::span<float
 }
 
 void scale_blocks(std::span<const float> scale, const BlockRow& row) {
-  Cells by;
+  TileRowBuffer by;
   for (int i = 0; i < row.blocks; ++i)
     std::fill_n(by.begin() + i * row.factor, row.factor, scale[static_cast<std::size_t>(i)]);
   multiply_rows(by.data(), row.factor, row.cells(), row.first, row.stride);

@@ -34,9 +34,9 @@ DetailTile& DetailCanvas::at(int tile) {
   const CellBox& box = slot->box;
   if (!make(slot->base_m)) return *slot;
   for (int y = 0; y < box.height() * k; ++y)
-    ground_.relief_row(box.x0 * k, box.y0 * k + y,
-                       {slot->base_m.data() + static_cast<std::ptrdiff_t>(y) * side,
-                        static_cast<std::size_t>(box.width() * k)});
+    substrate_.relief_row(box.x0 * k, box.y0 * k + y,
+                          {slot->base_m.data() + static_cast<std::ptrdiff_t>(y) * side,
+                           static_cast<std::size_t>(box.width() * k)});
   return *slot;
 }
 
@@ -48,20 +48,20 @@ bool DetailCanvas::make(TilePlane& plane) {
   return false;
 }
 
-void DetailCanvas::touch(int tile) const {
+void DetailCanvas::mark_used(int tile) const {
   const DetailTile* made = find(tile);
   if (made == nullptr) return;
-  made->depth_m.touch();
-  made->base_m.touch();
-  for (const TilePlane& plane : made->pigment) plane.touch();
-  for (const TilePlane& plane : made->reflectance) plane.touch();
+  made->depth_m.mark_used();
+  made->base_m.mark_used();
+  for (const TilePlane& plane : made->pigment) plane.mark_used();
+  for (const TilePlane& plane : made->reflectance) plane.mark_used();
 }
 
 void DetailCanvas::clear() {
   for (auto& tile : tile_) tile.reset();
 }
 
-void DetailCanvas::cover(int tile, const CanvasState& guide, const CellBox& box) {
+void DetailCanvas::ensure_planes(int tile, const CanvasState& guide, const CellBox& box) {
   for_wet_planes(layers_ * channels_, [&](const WetPlane& q) {
     if (DetailTile* made = find(tile); made != nullptr && q.of(*made)) return;
     if (any_in(q.of(guide), box)) make(q.of(at(tile)));

@@ -6,19 +6,19 @@
 #include <mutex>
 #include <vector>
 
-#include "core/detail/store/detail_ground.h"
 #include "core/detail/store/detail_layout.h"
+#include "core/detail/store/detail_substrate.h"
 #include "core/detail/store/detail_tile.h"
 
 namespace pentimento {
 
 class DetailCanvas {
  public:
-  /// `ground` and `store` (of blocks of side x side floats) outlive the canvas.
+  /// `substrate` and `store` (of buffers of side x side floats) outlive the canvas.
   DetailCanvas(const DetailLayout& layout, int layers, int channels, int bands,
-               const DetailGround& ground, TileStore& store)
+               const DetailSubstrate& substrate, TileStore& store)
       : layout_(layout),
-        ground_(ground),
+        substrate_(substrate),
         store_(store),
         layers_(layers),
         channels_(channels),
@@ -27,7 +27,7 @@ class DetailCanvas {
   }
 
   const DetailLayout& layout() const { return layout_; }
-  const DetailGround& ground() const { return ground_; }
+  const DetailSubstrate& substrate() const { return substrate_; }
   int layers() const { return layers_; }
   int channels() const { return channels_; }
   int bands() const { return bands_; }
@@ -40,15 +40,17 @@ class DetailCanvas {
   void clear();
 
   /// The tile has a plane for everything that the guide has in it, or in the part `box` of it.
-  void cover(int tile, const CanvasState& guide) { cover(tile, guide, layout_.box(tile)); }
-  void cover(int tile, const CanvasState& guide, const CellBox& box);
+  void ensure_planes(int tile, const CanvasState& guide) {
+    ensure_planes(tile, guide, layout_.box(tile));
+  }
+  void ensure_planes(int tile, const CanvasState& guide, const CellBox& box);
   /// Gives `plane` memory, zero everywhere. False if there is none: problem() says why from then
   /// on, and the canvas shows less than was painted. From any thread.
   bool make(TilePlane& plane);
   /// The first failure to get memory or disk, if any.
   const Result<void>& problem() const { return problem_; }
   /// Everything in the tile is in use now.
-  void touch(int tile) const;
+  void mark_used(int tile) const;
   /// Lets go of memory that was not used lately, as far as the store is told to.
   void trim() const { store_.trim(); }
 
@@ -59,7 +61,7 @@ class DetailCanvas {
 
  private:
   DetailLayout layout_;
-  const DetailGround& ground_;
+  const DetailSubstrate& substrate_;
   TileStore& store_;
   std::mutex mutex_;
   Result<void> problem_;

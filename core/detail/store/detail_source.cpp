@@ -25,11 +25,12 @@ const float* plane_of(const DetailTile& tile, PlaneId plane, int channels) {
   }
 }
 
-void read_ground(const DetailGround& ground, PlaneId plane, int x, int y, std::span<float> out) {
+void read_substrate(const DetailSubstrate& substrate, PlaneId plane, int x, int y,
+                    std::span<float> out) {
   if (plane.kind == PlaneKind::kBase || plane.kind == PlaneKind::kPaper) {
-    ground.relief_row(x, y, out);
+    substrate.relief_row(x, y, out);
   } else if (plane.kind == PlaneKind::kReflectance) {
-    ground.reflectance_row(plane.index, x, y, out);
+    substrate.reflectance_row(plane.index, x, y, out);
   } else {
     std::fill(out.begin(), out.end(), 0.0f);
   }
@@ -89,13 +90,13 @@ void DetailSource::read(PlaneId plane, int x, int y, std::span<float> out) const
   if (plane.kind == PlaneKind::kVelocityX || plane.kind == PlaneKind::kVelocityY) {
     read_velocity(plane.kind, x, y, out);
   } else if (plane.kind == PlaneKind::kPaper) {
-    canvas_.ground().relief_row(x, y, out);
+    canvas_.substrate().relief_row(x, y, out);
   } else {
     read_tiles(plane, x, y, out);
   }
 }
 
-void DetailSource::let_go() const {
+void DetailSource::release() const {
   constexpr std::uint32_t kReadsBetweenTrims = 8192;
   if (++reads_ % kReadsBetweenTrims != 0) return;
   const std::unique_lock<std::shared_mutex> alone(mutex_);
@@ -103,7 +104,7 @@ void DetailSource::let_go() const {
 }
 
 void DetailSource::read_tiles(PlaneId plane, int x, int y, std::span<float> out) const {
-  let_go();
+  release();
   const std::shared_lock<std::shared_mutex> together(mutex_);
   const DetailLayout& layout = canvas_.layout();
   const int side = layout.side();
@@ -111,11 +112,11 @@ void DetailSource::read_tiles(PlaneId plane, int x, int y, std::span<float> out)
     const int from = x + done;
     const int cells = std::min(side - from % side, static_cast<int>(out.size()) - done);
     const DetailTile* tile = canvas_.find(layout.tile_of(from / side, y / side));
-    if (tile != nullptr) canvas_.touch(tile->tile);
+    if (tile != nullptr) canvas_.mark_used(tile->tile);
     const float* data = tile == nullptr ? nullptr : plane_of(*tile, plane, channels());
     const std::span<float> part = out.subspan(at(done), at(cells));
     if (data == nullptr) {
-      read_ground(canvas_.ground(), plane, from, y, part);
+      read_substrate(canvas_.substrate(), plane, from, y, part);
     } else {
       std::copy_n(data + static_cast<std::ptrdiff_t>(y % side) * side + from % side, cells,
                   part.data());

@@ -26,7 +26,7 @@ class DetailSource final : public CanvasSource {
   bool empty(const CellWindow& window) const override;
 
  private:
-  void let_go() const;
+  void release() const;
   void read_tiles(PlaneId plane, int x, int y, std::span<float> out) const;
   void read_velocity(PlaneKind kind, int x, int y, std::span<float> out) const;
 

@@ -13,14 +13,14 @@
 namespace pentimento {
 
 /// side x side floats of a TileStore, row by row; may be absent, which means zero (reflectance: the
-/// fresh ground). Move-only; gives its block back.
+/// fresh ground). Move-only; gives its buffer back.
 class TilePlane {
  public:
   TilePlane() = default;
   TilePlane(TilePlane&& other) noexcept { *this = std::move(other); }
   TilePlane& operator=(TilePlane&& other) noexcept {
     std::swap(store_, other.store_);
-    std::swap(block_, other.block_);
+    std::swap(buffer_, other.buffer_);
     std::swap(data_, other.data_);
     return *this;
   }
@@ -31,35 +31,35 @@ class TilePlane {
   const float* data() const { return data_; }
   /// Zero everywhere. Errors: those of the store; then the plane stays absent.
   Result<void> allocate(TileStore& store) {
-    Result<TileStore::Block> block = store.allocate();
-    if (!block) return block.error();
+    Result<TileStore::Buffer> buffer = store.allocate();
+    if (!buffer) return buffer.error();
     free();
     store_ = &store;
-    block_ = *block;
-    data_ = store.data(block_);
+    buffer_ = *buffer;
+    data_ = store.data(buffer_);
     return {};
   }
   void free() {
-    if (data_ != nullptr) store_->free(block_);
+    if (data_ != nullptr) store_->free(buffer_);
     data_ = nullptr;
   }
   /// Notes that the plane is in use now.
-  void touch() const {
-    if (data_ != nullptr) store_->touch(block_);
+  void mark_used() const {
+    if (data_ != nullptr) store_->mark_used(buffer_);
   }
 
  private:
   TileStore* store_ = nullptr;
-  TileStore::Block block_ = 0;
+  TileStore::Buffer buffer_ = 0;
   float* data_ = nullptr;
 };
 
 /// Which fine cells have followed their guide cell in opening a layer for its stroke. A stroke's
 /// edge runs through blocks: cells that its tip does not touch keep their layers as they are.
 struct OpenCells {
-  std::vector<std::uint8_t> opened;   // per fine cell, side x side
-  std::vector<LayerOpening> opening;  // per block: what opening its cells does
-  std::vector<std::uint8_t> tangled;  // per block: layers no longer correspond to the guide's
+  std::vector<std::uint8_t> opened;      // per fine cell, side x side
+  std::vector<LayerOpening> opening;     // per block: what opening its cells does
+  std::vector<std::uint8_t> mismatched;  // per block: layers no longer correspond to the guide's
   bool empty() const { return opened.empty(); }
 };
 

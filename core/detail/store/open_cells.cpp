@@ -31,11 +31,11 @@ void make_openable(OpenCells& open, const DetailLayout& layout) {
   const std::size_t blocks = static_cast<std::size_t>(layout.blocks());
   open.opened.assign(side * side, 1);
   open.opening.resize(blocks * blocks);
-  open.tangled.assign(blocks * blocks, 0);
+  open.mismatched.assign(blocks * blocks, 0);
 }
 
-void await_touch(DetailTile& tile, const DetailLayout& layout, int x, int y, int layers,
-                 const LayerOpening& opening) {
+void await_tip(DetailTile& tile, const DetailLayout& layout, int x, int y, int layers,
+               const LayerOpening& opening) {
   if (layers == 1) return;
   const int k = layout.factor();
   const std::size_t block = block_of(layout, x, y);
@@ -43,9 +43,9 @@ void await_touch(DetailTile& tile, const DetailLayout& layout, int x, int y, int
   // layers, or with none full, cells that did not follow stay one layer behind.
   const bool joins_all = opening.merges && layers == 2;
   if (joins_all) {
-    tile.open.tangled[block] = 0;
+    tile.open.mismatched[block] = 0;
   } else if (!all_open(tile, layout, x, y)) {
-    tile.open.tangled[block] = 1;
+    tile.open.mismatched[block] = 1;
   }
   tile.open.opening[block] = opening;
   for (int j = 0; j < k; ++j)
@@ -64,7 +64,7 @@ void open_cell(DetailTile& tile, const DetailLayout& layout, const LayerRow& row
 
 bool layers_correspond(const DetailTile& tile, const DetailLayout& layout, int x, int y) {
   if (tile.open.empty()) return true;
-  return tile.open.tangled[block_of(layout, x, y)] == 0 && all_open(tile, layout, x, y);
+  return tile.open.mismatched[block_of(layout, x, y)] == 0 && all_open(tile, layout, x, y);
 }
 
 }  // namespace pentimento

@@ -12,8 +12,8 @@ void make_openable(OpenCells& open, const DetailLayout& layout);
 
 /// The guide has opened its cell (x, y), of `layers` layers, for another stroke: the cells of the
 /// block wait. The tile is openable unless there is one layer only, which never opens.
-void await_touch(DetailTile& tile, const DetailLayout& layout, int x, int y, int layers,
-                 const LayerOpening& opening);
+void await_tip(DetailTile& tile, const DetailLayout& layout, int x, int y, int layers,
+               const LayerOpening& opening);
 
 /// Opens the fine cell (x, y) of the canvas, cell `cell` of `row`, unless it is open.
 void open_cell(DetailTile& tile, const DetailLayout& layout, const LayerRow& row, int x, int y,

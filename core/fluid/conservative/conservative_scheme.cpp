@@ -5,14 +5,14 @@
 #include <cstdint>
 
 #include "core/base/kernel.h"
+#include "core/fluid/conservative/advection/advection.h"
 #include "core/fluid/conservative/advection/face_row.h"
-#include "core/fluid/conservative/advection/transport.h"
 #include "core/fluid/conservative/contact_line.h"
 #include "core/fluid/conservative/solve/force_row.h"
 #include "core/fluid/conservative/solve/height_row.h"
 #include "core/fluid/conservative/solve/viscous_row.h"
-#include "core/fluid/conservative/tiles/claim_cells.h"
-#include "core/fluid/conservative/tiles/settle_quanta.h"
+#include "core/fluid/conservative/tiles/assign_strokes.h"
+#include "core/fluid/conservative/tiles/round_to_quanta.h"
 #include "core/fluid/rheology.h"
 
 namespace pentimento::conservative {
@@ -25,10 +25,10 @@ float cap_of(const Model& model) {
 }
 
 // Into how many parts a step is cut so that no paint comes further than it should in one.
-int parts_of_step(const Model& model, float reach_cells) {
+int parts_of_step(const Model& model, float travel_cells) {
   int parts = 1;
   while (parts < model.most_parts_of_step &&
-         reach_cells > model.most_cells_moved * static_cast<float>(parts))
+         travel_cells > model.most_cells_moved * static_cast<float>(parts))
     ++parts;
   return parts;
 }
@@ -56,7 +56,7 @@ FaceRow faces_at(NodePlanes& n, int x, int y) {
 
 // Calls body(y, x, n) for the inner x faces of each run, or the open y faces.
 template <typename Body>
-void for_open_faces(const Tiles& tiles, Axis axis, const Run& r, const Body& body) {
+void for_open_faces(const SleepTiles& tiles, Axis axis, const Run& r, const Body& body) {
   if (axis == Axis::kX) {
     if (r.size() > 1) body(r.x0, r.size() - 1);
   } else {
@@ -70,21 +70,21 @@ ConservativeScheme::ConservativeScheme(const CanvasGeometry& geometry)
     : geometry_(geometry), work_(geometry) {}
 
 bool ConservativeScheme::step(CanvasState& state, const StepInput& in) {
-  if (!tiles_) tiles_ = std::make_unique<Tiles>(geometry_, in.model.sleep_tile_m);
+  if (!tiles_) tiles_ = std::make_unique<SleepTiles>(geometry_, in.model.sleep_tile_m);
   steps_ += 1;
   for (const int tile : tiles_->wake(state, in)) work_.clear(tiles_->box(tile));
   if (tiles_->awake_tiles().empty()) return false;
   work_.solver.set_runs(tiles_->runs());
   passed("wake");
 
-  settle_quanta(state, in);
-  passed("settle");
-  const int parts = parts_of_step(in.model, tiles_->reach_cells());
+  round_to_quanta(state, in);
+  passed("round");
+  const int parts = parts_of_step(in.model, tiles_->travel_cells());
   for (int part = 0; part < parts; ++part) {
     const BrushContact& contact = part == 0 ? in.contact : untouched_;  // the push, once
     const float dt_s = in.dt_s / static_cast<float>(parts);
     part_of_step(state,
-                 {in.model, in.gravity_m_s2, dt_s, contact, in.amount, in.threads, in.follower},
+                 {in.model, in.gravity_m_s2, dt_s, contact, in.amount, in.threads, in.listener},
                  part);
   }
   tiles_->fall_asleep(state, in, [&](const CellBox& b) { return feels_gravity(b); });
@@ -100,7 +100,7 @@ void ConservativeScheme::part_of_step(CanvasState& state, const StepInput& in, i
   passed("rheology");
   for_runs(in.threads, tiles_->runs(), [&](const Run& r) { find_faces(state, in, r); });
   passed("faces");
-  hold_edges(state, in);
+  pin_edges(state, in);
   passed("edges");
   apply_viscosity(state, in);
   passed("viscosity");
@@ -114,17 +114,17 @@ void ConservativeScheme::transport(CanvasState& state, const StepInput& in, bool
   fill_node_masses(state, *tiles_, in.threads, work_);
   passed("masses");
   for (const Axis axis : {first, second}) {
-    move_momentum(state, in, axis, axis == first ? Turn::kFirst : Turn::kSecond, *tiles_, work_);
+    advect_momentum(state, in, axis, axis == first ? Turn::kFirst : Turn::kSecond, *tiles_, work_);
     passed(axis == Axis::kX ? "momentum_x" : "momentum_y");
   }
   for (const Axis axis : {first, second}) {
-    move_paint(state, in, axis, *tiles_);
+    advect_paint(state, in, axis, *tiles_);
     passed(axis == Axis::kX ? "paint_x" : "paint_y");
   }
-  claim_cells(state, tiles_->runs(), in.threads);
-  if (in.follower == nullptr) return;
-  in.follower->edges().x_first = even;
-  in.follower->moved(state, in, tiles_->runs());
+  assign_strokes(state, tiles_->runs(), in.threads);
+  if (in.listener == nullptr) return;
+  in.listener->edges().x_first = even;
+  in.listener->moved(state, in, tiles_->runs());
 }
 
 void ConservativeScheme::find_rheology(const CanvasState& state, const StepInput& in,
@@ -160,16 +160,16 @@ void ConservativeScheme::find_faces(const CanvasState& state, const StepInput& i
   });
 }
 
-void ConservativeScheme::hold_edges(const CanvasState& state, const StepInput& in) {
+void ConservativeScheme::pin_edges(const CanvasState& state, const StepInput& in) {
   if (!(in.model.front_depth_m > 0)) return;
   const ContactLine line(in.model.front_depth_m, in.model.front_reach_m, state.geometry.dx_m(),
                          state.geometry.dy_m());
   for_runs(in.threads, tiles_->runs(), [&](const Run& r) {
     for_open_faces(*tiles_, Axis::kX, r, [&](int x, int n) {
-      line.hold_row(state.depth_m, Axis::kX, x, r.y, n, work_.x.friction_frac.row(r.y) + x);
+      line.pin_row(state.depth_m, Axis::kX, x, r.y, n, work_.x.friction_frac.row(r.y) + x);
     });
     for_open_faces(*tiles_, Axis::kY, r, [&](int x, int n) {
-      line.hold_row(state.depth_m, Axis::kY, x, r.y, n, work_.y.friction_frac.row(r.y) + x);
+      line.pin_row(state.depth_m, Axis::kY, x, r.y, n, work_.y.friction_frac.row(r.y) + x);
     });
   });
 }

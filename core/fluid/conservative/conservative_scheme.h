@@ -15,7 +15,7 @@
 #include <utility>
 
 #include "core/fluid/conservative/solve/workspace.h"
-#include "core/fluid/conservative/tiles/tiles.h"
+#include "core/fluid/conservative/tiles/sleep_tiles.h"
 #include "core/fluid/scheme.h"
 
 namespace pentimento::conservative {
@@ -42,7 +42,7 @@ class ConservativeScheme : public FluidScheme {
   // On the run of a row:
   void find_rheology(const CanvasState& state, const StepInput& in, const Run& r);
   void find_faces(const CanvasState& state, const StepInput& in, const Run& r);
-  void hold_edges(const CanvasState& state, const StepInput& in);
+  void pin_edges(const CanvasState& state, const StepInput& in);
   void apply_forces(const StepInput& in, const Run& r);
   void fill_height(const CanvasState& state, const StepInput& in, const Run& r);
   void fill_pressure(const CanvasState& state, const StepInput& in, const Run& r);
@@ -51,7 +51,7 @@ class ConservativeScheme : public FluidScheme {
   void account(const CanvasState& state, const StepInput& in);
 
   CanvasGeometry geometry_;
-  std::unique_ptr<Tiles> tiles_;  // made at the first step: their size is a parameter
+  std::unique_ptr<SleepTiles> tiles_;  // made at the first step: their size is a parameter
   Workspace work_;
   std::function<void(const char*)> passed_;
   BrushContact untouched_;  // of no size: nothing is touched

@@ -70,8 +70,8 @@ float ContactLine::mean_depth(const Field<float>& depth_m, const Taps& taps, int
   return ((lane[0] + lane[1]) + (lane[2] + lane[3])) / (taps.total - beyond);
 }
 
-void ContactLine::hold_row(const Field<float>& depth_m, Axis axis, int x, int y, int n,
-                           float* friction_frac) const {
+void ContactLine::pin_row(const Field<float>& depth_m, Axis axis, int x, int y, int n,
+                          float* friction_frac) const {
   const float bare = kBareFrac * depth_m_;
   const float* a = depth_m.row(y) + x;
   const float* b = axis == Axis::kX ? a + 1 : depth_m.row(y + 1) + x;

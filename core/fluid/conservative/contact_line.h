@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/base/field.h"
-#include "core/fluid/conservative/advection/transport.h"
+#include "core/fluid/conservative/advection/advection.h"
 
 namespace pentimento::conservative {
 
@@ -26,8 +26,8 @@ class ContactLine {
   ContactLine(float depth_m, float reach_m, float dx_m, float dy_m);
 
   /// On the faces between the cells [x, x + n) of row y and their right or lower neighbours.
-  void hold_row(const Field<float>& depth_m, Axis axis, int x, int y, int n,
-                float* friction_frac) const;
+  void pin_row(const Field<float>& depth_m, Axis axis, int x, int y, int n,
+               float* friction_frac) const;
 
  private:
   /// One row of the neighbourhood of a face: cells [x0, x1] from the one on its upper or left side.

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "core/fluid/paper/depth.h"
-#include "core/fluid/paper/front.h"
 #include "core/fluid/paper/gravity.h"
 #include "core/fluid/paper/height_sweep.h"
 #include "core/fluid/paper/height_system.h"
@@ -11,6 +10,7 @@
 #include "core/fluid/paper/trace.h"
 #include "core/fluid/paper/velocity_limits.h"
 #include "core/fluid/paper/viscosity.h"
+#include "core/fluid/paper/wet_front.h"
 #include "core/fluid/rheology.h"
 
 namespace pentimento::paper {
@@ -64,10 +64,11 @@ void PaperScheme::for_live_rows(const StepInput& in, Body body) const {
 }
 
 template <typename Body>
-void PaperScheme::for_reach_rows(const StepInput& in, Body body) const {
-  in.threads.for_ranges(reach_rows_.begin, reach_rows_.end, kRowsPerTask, [&](int begin, int end) {
-    for (int y = begin; y < end; ++y) body(y);
-  });
+void PaperScheme::for_travel_rows(const StepInput& in, Body body) const {
+  in.threads.for_ranges(travel_rows_.begin, travel_rows_.end, kRowsPerTask,
+                        [&](int begin, int end) {
+                          for (int y = begin; y < end; ++y) body(y);
+                        });
 }
 
 bool PaperScheme::step(CanvasState& state, const StepInput& in) {
@@ -80,11 +81,11 @@ bool PaperScheme::step(CanvasState& state, const StepInput& in) {
   trace(state, in);
   const Field<float>& height_m = solve_height(state, in);
   const std::size_t velocity = solve_velocity(state, in, height_m);
-  find_reach(state);
+  find_travel(state);
   for_live_rows(in, [&](int y, Columns cells) {
     row_changed_[at(y)] |= update_depth_row(planes_, height_m, y, cells, state) ? 1 : 0;
   });
-  move_pigment(state, in, velocity);
+  advect_pigment(state, in, velocity);
   store_velocity(state, in, velocity);
   max_speed_m_s_ = std::max(max_speed_m_s_, static_cast<double>(fastest_m_s()));
   live_frac_sum_ += static_cast<double>(rows_.cells()) /
@@ -176,16 +177,16 @@ void PaperScheme::finish_row(const CanvasState& state, const StepInput& in, std:
   row_speed2_[at(y)] = speed2;
 }
 
-void PaperScheme::move_pigment(CanvasState& state, const StepInput& in, std::size_t velocity) {
-  if (reach_cells_ == 0) return;
-  for_reach_rows(in, [&](int y) {
-    loosen_row(state, in.amount, constants_.residue, y, reach_columns_, planes_);
+void PaperScheme::advect_pigment(CanvasState& state, const StepInput& in, std::size_t velocity) {
+  if (travel_cells_ == 0) return;
+  for_travel_rows(in, [&](int y) {
+    find_free_row(state, in.amount, constants_.residue, y, travel_columns_, planes_);
     if (!rows_.live(y).empty()) count_layers_row(state, y, row_flow_[at(y)], planes_);
   });
   for (int layer = 0; layer < state.layers; ++layer) {
     for_live_rows(in, [&](int y, Columns) {
-      trace_pigment_row(constants_, state, layer, planes_.u_m_s[velocity].row(y),
-                        planes_.v_m_s[velocity].row(y), y, row_flow_[at(y)], planes_);
+      advect_pigment_row(constants_, state, layer, planes_.u_m_s[velocity].row(y),
+                         planes_.v_m_s[velocity].row(y), y, row_flow_[at(y)], planes_);
     });
     for_live_rows(in, [&](int y, Columns) {
       row_changed_[at(y)] |= store_pigment_row(planes_, layer, y, row_flow_[at(y)], state) ? 1 : 0;
@@ -200,38 +201,38 @@ float PaperScheme::fastest_m_s() const {
   return std::sqrt(speed2);
 }
 
-void PaperScheme::find_reach(const CanvasState& state) {
+void PaperScheme::find_travel(const CanvasState& state) {
   const float cell_m = std::min(constants_.dx_m, constants_.dy_m);
   const float travel = fastest_m_s() * constants_.dt_s / cell_m;
-  reach_cells_ = travel == 0.0f ? 0 : 1 + static_cast<int>(std::min(travel, 1e6f));
+  travel_cells_ = travel == 0.0f ? 0 : 1 + static_cast<int>(std::min(travel, 1e6f));
   const Columns live = rows_.box();
-  reach_columns_ = {std::max(live.begin - reach_cells_, 0),
-                    std::min(live.end + reach_cells_, state.geometry.width)};
-  reach_rows_ = {std::max(rows_.row_begin() - reach_cells_, 0),
-                 std::min(rows_.row_end() + reach_cells_, state.geometry.height)};
+  travel_columns_ = {std::max(live.begin - travel_cells_, 0),
+                     std::min(live.end + travel_cells_, state.geometry.width)};
+  travel_rows_ = {std::max(rows_.row_begin() - travel_cells_, 0),
+                  std::min(rows_.row_end() + travel_cells_, state.geometry.height)};
 }
 
 void PaperScheme::store_velocity(CanvasState& state, const StepInput& in, std::size_t velocity) {
-  const Columns box = reach_columns_;
+  const Columns box = travel_columns_;
   Field<float>&u = planes_.u_m_s[velocity], &v = planes_.v_m_s[velocity];
-  Reach& reach = planes_.reach;
-  for_reach_rows(in, [&](int y) {
+  FrontInflow& inflow = planes_.inflow;
+  for_travel_rows(in, [&](int y) {
     clear_around(rows_.live(y), box, u.row(y));
     clear_around(rows_.live(y), box, v.row(y));
-    for (Field<float>* f : {&reach.u_m_s, &reach.v_m_s, &reach.count})
+    for (Field<float>* f : {&inflow.u_m_s, &inflow.v_m_s, &inflow.count})
       std::fill(f->row(y) + box.begin, f->row(y) + box.end, 0.0f);
-    if (reach_cells_ > 0 && !rows_.live(y).empty())
-      reach_along_row(constants_, state, in.contact, {u, v}, y, row_flow_[at(y)], reach);
+    if (travel_cells_ > 0 && !rows_.live(y).empty())
+      advance_front_along_row(constants_, state, in.contact, {u, v}, y, row_flow_[at(y)], inflow);
   });
-  if (reach_cells_ > 0)
+  if (travel_cells_ > 0)
     in.threads.for_ranges(box.begin, box.end, kColumnsPerTask, [&](int begin, int end) {
-      reach_along_columns(constants_, state, in.contact, {u, v}, {begin, end}, reach_rows_.begin,
-                          reach_rows_.end, reach);
+      advance_front_along_columns(constants_, state, in.contact, {u, v}, {begin, end},
+                                  travel_rows_.begin, travel_rows_.end, inflow);
     });
-  for_reach_rows(in, [&](int y) {
-    close_edge_row(y, state.geometry.width, state.geometry.height, box, reach.u_m_s.row(y),
-                   reach.v_m_s.row(y));
-    if (update_velocity_row(in.contact, {u, v}, reach, y, box, state)) row_changed_[at(y)] = 1;
+  for_travel_rows(in, [&](int y) {
+    close_edge_row(y, state.geometry.width, state.geometry.height, box, inflow.u_m_s.row(y),
+                   inflow.v_m_s.row(y));
+    if (update_velocity_row(in.contact, {u, v}, inflow, y, box, state)) row_changed_[at(y)] = 1;
   });
 }
 

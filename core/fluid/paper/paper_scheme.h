@@ -29,12 +29,12 @@ class PaperScheme : public FluidScheme {
   std::size_t solve_velocity(const CanvasState& state, const StepInput& in,
                              const Field<float>& height_m);
   /// The rectangle that paint can have come from or got to in this step.
-  void find_reach(const CanvasState& state);
-  void move_pigment(CanvasState& state, const StepInput& in, std::size_t velocity);
+  void find_travel(const CanvasState& state);
+  void advect_pigment(CanvasState& state, const StepInput& in, std::size_t velocity);
   template <typename Body>
   void for_live_rows(const StepInput& in, Body body) const;
   template <typename Body>
-  void for_reach_rows(const StepInput& in, Body body) const;
+  void for_travel_rows(const StepInput& in, Body body) const;
   void finish_row(const CanvasState& state, const StepInput& in, std::size_t velocity, int y);
   /// Lets fronts advance and stores the velocity.
   void store_velocity(CanvasState& state, const StepInput& in, std::size_t velocity);
@@ -46,8 +46,8 @@ class PaperScheme : public FluidScheme {
   std::vector<std::uint8_t> row_changed_;
   std::vector<Columns> row_flow_;  // where the new velocity is not 0
   std::vector<float> row_speed2_;  // its largest square
-  Columns reach_columns_, reach_rows_;
-  int reach_cells_ = 0;  // the fastest paint's travel, rounded up; 0 when all stands
+  Columns travel_columns_, travel_rows_;
+  int travel_cells_ = 0;  // the fastest paint's travel, rounded up; 0 when all stands
   double max_speed_m_s_ = 0;
   double live_frac_sum_ = 0;
   std::int64_t steps_ = 0;

@@ -10,8 +10,8 @@ void count_layers_row(const CanvasState& state, int y, Columns cells, Planes& pl
 
 /// The part of the bottom layer of row y that is free to move: all beyond the residue (R19, A17).
 ///   loose = 1 - min(1, P_min / sum P of layer 0)
-void loosen_row(const CanvasState& state, const std::vector<float>& amount, float residue, int y,
-                Columns cells, Planes& planes);
+void find_free_row(const CanvasState& state, const std::vector<float>& amount, float residue, int y,
+                   Columns cells, Planes& planes);
 
 /// Velocity of layer k (0 = bottom) of n as a fraction of the surface's: linear from the canvas at
 /// rest to the surface, taken at the middle of the layer (R18): (k + 1/2) / n. A layer that only
@@ -28,9 +28,9 @@ inline float layer_velocity_frac(int layer, int occupied) {
 /// step; keeps no sum (A5). Source: R18, R19 (Stuyck et al. 2016, section 6). Departures: the
 /// residue is a share of what is there, so it makes no pigment; amounts below kNoPigment vanish.
 /// `u_m_s`, `v_m_s`: the new velocity. The departure point is found once for all channels.
-void trace_pigment_row(const StepConstants& k, const CanvasState& state, int layer,
-                       const float* u_m_s, const float* v_m_s, int y, Columns cells,
-                       Planes& planes);
+void advect_pigment_row(const StepConstants& k, const CanvasState& state, int layer,
+                        const float* u_m_s, const float* v_m_s, int y, Columns cells,
+                        Planes& planes);
 
 /// Brings row y of the layer back from planes.pigment; returns whether any bit changed.
 bool store_pigment_row(const Planes& planes, int layer, int y, Columns cells, CanvasState& state);

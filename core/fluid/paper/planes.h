@@ -22,8 +22,8 @@ struct Velocity {
   const Field<float>& v_m_s;
 };
 
-/// Sums over the films that reach a thin cell, and their number (front.h).
-struct Reach {
+/// Sums over the films that reach a thin cell, and their number (wet_front.h).
+struct FrontInflow {
   Field<float> u_m_s, v_m_s, count;
 };
 
@@ -36,8 +36,8 @@ struct Planes {
   Stencil system;  // of the height (`centre` first holds the traced height), then of the viscosity
   Field<std::uint8_t> moved;     // 1 where velocity was or is not 0
   Field<std::uint8_t> occupied;  // layers that hold pigment
-  Reach reach;
-  Field<float> loose_frac;            // part of the bottom layer that does not stick
+  FrontInflow inflow;
+  Field<float> free_frac;             // part of the bottom layer that does not stick
   std::vector<Field<float>> pigment;  // one layer's channels on their way
 };
 

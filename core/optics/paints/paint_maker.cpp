@@ -121,7 +121,7 @@ std::optional<Pigment> PaintMaker::from_library(std::string_view name) const {
                   {known->S(0), known->S(1), known->S(2)});
 }
 
-std::vector<float> PaintMaker::ground(std::array<float, 3> rgb) const {
+std::vector<float> PaintMaker::substrate(std::array<float, 3> rgb) const {
   std::vector<float> out;
   if (!spectral()) {
     for (const float r : rgb)
@@ -133,7 +133,7 @@ std::vector<float> PaintMaker::ground(std::array<float, 3> rgb) const {
   return out;
 }
 
-std::vector<Field<float>> PaintMaker::ground(const std::array<Field<float>, 3>& rgb) const {
+std::vector<Field<float>> PaintMaker::substrate(const std::array<Field<float>, 3>& rgb) const {
   const int width = rgb[0].width(), height = rgb[0].height();
   std::vector<Field<float>> planes;
   for (int b = 0; b < bands(); ++b) planes.emplace_back(width, height);

@@ -52,10 +52,10 @@ class PaintMaker {
   std::optional<Pigment> from_library(std::string_view name) const;
 
   /// Reflectance per band of a dry surface that looks like `rgb`, under paint or bare.
-  std::vector<float> ground(std::array<float, 3> rgb) const;
+  std::vector<float> substrate(std::array<float, 3> rgb) const;
   /// The same for a picture's three planes of equal size: one plane per band, values in [0,1].
   /// Spectral: as ColorBases has it.
-  std::vector<Field<float>> ground(const std::array<Field<float>, 3>& rgb) const;
+  std::vector<Field<float>> substrate(const std::array<Field<float>, 3>& rgb) const;
 
  private:
   bool spectral() const { return !wavelength_nm_.empty(); }

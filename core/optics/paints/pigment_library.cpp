@@ -10,7 +10,7 @@
 namespace pentimento {
 namespace {
 
-struct Entry {
+struct NamedPigment {
   std::string_view name;
   std::array<double, 3> K;
   std::array<double, 3> S;
@@ -18,7 +18,7 @@ struct Entry {
 
 // Curtis, Anderson, Seims, Fleischer, Salesin: Computer-Generated Watercolor, SIGGRAPH 97, fig. 5.
 // The oil colours: pick (sRGB) and opacity in the comment, K and S rounded to four digits.
-constexpr Entry kLibrary[] = {
+constexpr NamedPigment kLibrary[] = {
     {"Quinacridone Rose", {0.22, 1.47, 0.57}, {0.05, 0.003, 0.03}},
     {"Indian Red", {0.46, 1.07, 1.50}, {1.28, 0.38, 0.21}},
     {"Cadmium Yellow", {0.10, 0.36, 3.45}, {0.97, 0.65, 0.007}},
@@ -59,7 +59,7 @@ constexpr std::array<std::string_view, kCount> kNames = [] {
 
 std::vector<Pigment> make_pigments() {
   std::vector<Pigment> pigments;
-  for (const Entry& e : kLibrary) {
+  for (const NamedPigment& e : kLibrary) {
     pigments.push_back({std::string(e.name), Eigen::Map<const Eigen::Vector3d>(e.K.data()),
                         Eigen::Map<const Eigen::Vector3d>(e.S.data())});
   }

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "core/brush/builtin_brushes.h"
-#include "core/brush/footprint.h"
 #include "core/brush/resample.h"
+#include "core/brush/tip_pose.h"
 
 namespace pentimento {
 namespace {
@@ -57,8 +57,8 @@ TEST(Tip, ABladeEndsAtItsEnds) {
   EXPECT_EQ(knife.end_table().at(0.38f), 0);
   EXPECT_EQ(knife.end_table().at(0.47f), 1);
   EXPECT_EQ(knife.end_table().at(-0.47f), 1);
-  for (int i = 0; i <= HairTable::kSteps; ++i) {
-    const float end = knife.end_table().at(HairTable::at_step(i));
+  for (int i = 0; i <= BristleTable::kSteps; ++i) {
+    const float end = knife.end_table().at(BristleTable::at_step(i));
     EXPECT_TRUE(end >= 0 && end <= 1);
   }
 }
@@ -78,7 +78,7 @@ TEST(Tip, TheNameChoosesTheHairs) {
 }
 
 TEST(Tip, DriesWithoutAJump) {
-  // Hairs of a wet brush all give; so do they just below where drying begins, at 0.8.
+  // Bristles of a wet brush all give; so do they just below where drying begins, at 0.8.
   for (const std::string& name : builtin_brush_names()) {
     const Tip tip(*builtin_brush(name));
     const TipLevel wet = tip.level_for(0.02f), drying = tip.level_for(0.02f, {1, 0.7999f});
@@ -126,7 +126,7 @@ TEST(Tip, GripIsOneOnAverage) {
       EXPECT_TRUE(grip >= 0 && grip <= 2);
       sum += static_cast<double>(grip);
     }
-    EXPECT_NEAR(sum / 400, 1, 0.35) << name;  // some twenty clumps of hair
+    EXPECT_NEAR(sum / 400, 1, 0.35) << name;  // some twenty clumps of bristle
   }
 }
 

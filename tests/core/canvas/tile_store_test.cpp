@@ -27,8 +27,8 @@ std::string folder() {
   return std::filesystem::temp_directory_path().string();
 }
 
-bool all_are(const TileStore& store, TileStore::Block block, float value) {
-  const float* data = store.data(block);
+bool all_are(const TileStore& store, TileStore::Buffer buffer, float value) {
+  const float* data = store.data(buffer);
   return std::all_of(data, data + kFloats, [&](float v) { return v == value; });
 }
 
@@ -43,7 +43,7 @@ std::int64_t resident_now() {
 TEST(TileStore, GivesZerosInMemoryAndInAFile) {
   for (const std::string& scratch : {std::string(), folder()}) {
     const auto store = open_store(scratch);
-    const TileStore::Block a = *store->allocate(), b = *store->allocate();
+    const TileStore::Buffer a = *store->allocate(), b = *store->allocate();
     EXPECT_TRUE(all_are(*store, a, 0));
     std::fill_n(store->data(a), kFloats, 1.0f);
     std::fill_n(store->data(b), kFloats, 2.0f);
@@ -51,7 +51,7 @@ TEST(TileStore, GivesZerosInMemoryAndInAFile) {
     EXPECT_EQ(reinterpret_cast<std::uintptr_t>(store->data(b)) % 64, 0u);
     store->free(a);
     EXPECT_EQ(store->bytes(), kBlockBytes);
-    const TileStore::Block again = *store->allocate();
+    const TileStore::Buffer again = *store->allocate();
     EXPECT_EQ(again, a);
     EXPECT_TRUE(all_are(*store, again, 0));
     EXPECT_TRUE(all_are(*store, b, 2));
@@ -72,19 +72,19 @@ TEST(TileStore, TrimsWhatWasTouchedLongestAgoAndKeepsItsValues) {
   const auto store = open_store(folder(), 500 * kBlockBytes);
   const std::int64_t before = resident_now();
   for (int i = 0; i < kBlocks; ++i) {
-    const auto block = store->allocate();
-    ASSERT_TRUE(block) << block.error().message;
-    std::fill_n(store->data(*block), kFloats, static_cast<float>(i));
+    const auto buffer = store->allocate();
+    ASSERT_TRUE(buffer) << buffer.error().message;
+    std::fill_n(store->data(*buffer), kFloats, static_cast<float>(i));
     if (i % 100 == 99) store->trim();
   }
   EXPECT_EQ(store->held_bytes(), 500 * kBlockBytes);
   // What the kernel counts must follow: within a tenth, and 4 MB that the process took besides.
   EXPECT_LT(resident_now() - before, 550 * kBlockBytes + 4'000'000);
-  store->touch(0);
+  store->mark_used(0);
   store->trim();
   EXPECT_EQ(store->held_bytes(), 500 * kBlockBytes);
   for (int i = 0; i < kBlocks; ++i)
-    EXPECT_TRUE(all_are(*store, static_cast<TileStore::Block>(i), static_cast<float>(i))) << i;
+    EXPECT_TRUE(all_are(*store, static_cast<TileStore::Buffer>(i), static_cast<float>(i))) << i;
 }
 
 TEST(TileStore, ServesSeveralThreads) {
@@ -95,18 +95,18 @@ TEST(TileStore, ServesSeveralThreads) {
     threads.emplace_back([&, t] {
       bool good = true;
       for (int i = 0; i < 200; ++i) {
-        const TileStore::Block block = *store->allocate();
-        good = good && all_are(*store, block, 0);
-        std::fill_n(store->data(block), kFloats, static_cast<float>(t + 1));
-        good = good && all_are(*store, block, static_cast<float>(t + 1));
-        if (i % 2 == 0) store->free(block);
+        const TileStore::Buffer buffer = *store->allocate();
+        good = good && all_are(*store, buffer, 0);
+        std::fill_n(store->data(buffer), kFloats, static_cast<float>(t + 1));
+        good = good && all_are(*store, buffer, static_cast<float>(t + 1));
+        if (i % 2 == 0) store->free(buffer);
       }
       right[t] = good;
     });
   }
   for (std::thread& thread : threads) thread.join();
   EXPECT_EQ(right, (std::array<bool, 4>{true, true, true, true}));
-  EXPECT_EQ(store->blocks(), 400);
+  EXPECT_EQ(store->buffers(), 400);
 }
 
 TEST(TileStore, TellsThatTheDiskIsFull) {
@@ -120,19 +120,19 @@ TEST(TileStore, TellsThatTheDiskIsFull) {
   ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &low), 0);
   bool refused = false;
   for (int i = 0; i < 4000 && !refused; ++i) {
-    const auto block = store->allocate();
-    refused = !block;
+    const auto buffer = store->allocate();
+    refused = !buffer;
     if (refused) {
-      EXPECT_EQ(block.error().code, ErrorCode::kIo);
-      EXPECT_EQ(block.error().message.find("--scratch " + folder()), 0u) << block.error().message;
+      EXPECT_EQ(buffer.error().code, ErrorCode::kIo);
+      EXPECT_EQ(buffer.error().message.find("--scratch " + folder()), 0u) << buffer.error().message;
     } else {
-      *store->data(*block) = 1;
+      *store->data(*buffer) = 1;
     }
   }
   setrlimit(RLIMIT_FSIZE, &old);
   std::signal(SIGXFSZ, SIG_DFL);
   EXPECT_TRUE(refused);
-  EXPECT_GT(store->blocks(), 900);  // the first segment of 64 MiB has 1024
+  EXPECT_GT(store->buffers(), 900);  // the first segment of 64 MiB has 1024
 }
 
 TEST(TileStore, NeedsAFolderThatTakesFiles) {

@@ -279,7 +279,7 @@ TEST(Simulation, AClearStrokeOverColourDirtiesTheBrushAndRefillCleansIt) {
 
 TEST(Simulation, ADryCanvasDriesTheBrushAWetOneDoesNot) {
   const Threads threads(1);
-  const auto laid = [&](bool wet) {
+  const auto deposited = [&](bool wet) {
     SimulationSetup setup = setup_of(128, 2);
     Simulation sim(std::move(setup), threads);
     BrushSettings settings;
@@ -295,7 +295,7 @@ TEST(Simulation, ADryCanvasDriesTheBrushAWetOneDoesNot) {
     paint(sim, second);
     return sim.account().deposited.medium_m3 - before;
   };
-  EXPECT_LT(laid(false), 0.985 * laid(true));  // 8 diameters at 0.5 %: 2 % of the mean
+  EXPECT_LT(deposited(false), 0.985 * deposited(true));  // 8 diameters at 0.5 %: 2 % of the mean
 }
 
 TEST(Simulation, ATouchsSecondStrokeStartsAsItsFirst) {

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "formats/film/film_writer.h"
 #include "formats/hdf5/state_dump.h"
+#include "formats/video/video_writer.h"
 #include "tests/replay/small_job.h"
 
 namespace pentimento {
@@ -146,11 +146,11 @@ TEST(Render, ALampThatFollowsGravityStandsUnderTheGravityThatIsUsed) {
 
 /// Four frames a second, frame i of the even light i / 8.
 void write_video(const std::string& path, int frames) {
-  FilmOptions options;
+  VideoOptions options;
   options.width = 32;
   options.height = 18;
   options.frames_per_second = 4;
-  auto film = create_film(path, options);
+  auto film = create_video(path, options);
   ASSERT_TRUE(film.ok()) << film.error().message;
   for (int i = 0; i < frames; ++i) {
     const Field<float> plane(32, 18, static_cast<float>(i) / 8);

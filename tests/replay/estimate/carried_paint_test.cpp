@@ -20,12 +20,12 @@ TEST(CarriedPaint, ABandLaysWhatItWasDippedInto) {
   paint.dip(kBlue, 0, 1);
   paint.dip(kRed, 0.5, 1);
   for (int band = 0; band < CarriedPaint::kBands; ++band) {
-    EXPECT_EQ(paint.laid(band), band < CarriedPaint::kBands / 2 ? kBlue : kRed) << band;
-    EXPECT_EQ(paint.loaded(band), paint.laid(band));
+    EXPECT_EQ(paint.deposited(band), band < CarriedPaint::kBands / 2 ? kBlue : kRed) << band;
+    EXPECT_EQ(paint.loaded(band), paint.deposited(band));
   }
   paint.dip(kBlue, 0.5, 0.5);  // as in the reservoir, a row at least
-  EXPECT_EQ(paint.laid(CarriedPaint::kBands / 2), kBlue);
-  EXPECT_EQ(paint.laid(CarriedPaint::kBands / 2 + 1), kRed);
+  EXPECT_EQ(paint.deposited(CarriedPaint::kBands / 2), kBlue);
+  EXPECT_EQ(paint.deposited(CarriedPaint::kBands / 2 + 1), kRed);
 }
 
 TEST(CarriedPaint, BandsDivideTheTipsWidth) {
@@ -39,10 +39,10 @@ TEST(CarriedPaint, LaysWhatItTookUpUntilTheLoadHasReplacedIt) {
   CarriedPaint paint;
   paint.dip(kBlue, 0, 1);
   paint.pass(upon(kRed), 0.25, 0.1);
-  EXPECT_EQ(paint.laid(3), kBlue | kRed);
+  EXPECT_EQ(paint.deposited(3), kBlue | kRed);
   // 0.25 x 0.9 of it, then 0.9 of that each time: under 3e-4 after 63 more.
   int passes = 0;
-  while (paint.laid(3) != kBlue && passes < 100) {
+  while (paint.deposited(3) != kBlue && passes < 100) {
     paint.pass(upon(0), 0.25, 0.1);
     ++passes;
   }
@@ -53,12 +53,12 @@ TEST(CarriedPaint, AKnifeLaysOnlyWhatItTookUp) {
   CarriedPaint paint;
   paint.dip(kBlue, 0, 1);
   paint.take(false);
-  EXPECT_EQ(paint.laid(0), 0u);
+  EXPECT_EQ(paint.deposited(0), 0u);
   paint.pass(upon(kRed), 0.25, 0);
   for (int i = 0; i < 100; ++i) paint.pass(upon(0), 0.25, 0);
-  EXPECT_EQ(paint.laid(0), kRed);
+  EXPECT_EQ(paint.deposited(0), kRed);
   paint.take(true);
-  EXPECT_EQ(paint.laid(0), kBlue);
+  EXPECT_EQ(paint.deposited(0), kBlue);
 }
 
 }  // namespace

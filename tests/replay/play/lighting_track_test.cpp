@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "formats/film/film_writer.h"
+#include "formats/video/video_writer.h"
 #include "tests/formats/scratch.h"
 
 namespace pentimento {
@@ -22,11 +22,11 @@ struct Track {
   }
   const Lamp& lamp(std::size_t i) const { return track.lighting().lamps.at(i); }
   void make_video() const {
-    FilmOptions options;
+    VideoOptions options;
     options.width = 32;
     options.height = 18;
     options.frames_per_second = 4;
-    auto film = create_film(scratch.path("v.avi"), options);
+    auto film = create_video(scratch.path("v.avi"), options);
     ASSERT_TRUE(film) << film.error().message;
     for (int i = 0; i < 8; ++i) {
       const Field<float> plane(32, 18, static_cast<float>(i) / 8);
@@ -170,7 +170,7 @@ TEST(SettleLamp, TurnsDirectionAndPlaceForGood) {
   lamp.direction = {0.6f, 0, 0.8f};
   lamp.position_m = {0.1f, 0.2f, 0.5f};
   lamp.follows_gravity = true;
-  settle_lamp(lamp, {0, 9.81, 0});
+  fix_lamp(lamp, {0, 9.81, 0});
   EXPECT_NEAR(lamp.direction[0], 0.6f, 1e-6f);  // rounding of float here and below
   EXPECT_NEAR(lamp.direction[1], 0.8f, 1e-6f);
   EXPECT_NEAR(lamp.direction[2], 0.0f, 1e-6f);

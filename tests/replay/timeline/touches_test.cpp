@@ -22,7 +22,7 @@ struct Hand {
     return t;
   }
   void add(double time_s, const log::Touch& t, std::uint32_t stroke_id = 1,
-           const BrushReach& brush = {}) {
+           const BrushSize& brush = {}) {
     ++place;
     const PlacedTouch at{t, {static_cast<std::int64_t>(time_s * 1e6), place}, place + 1};
     if (t.phase == TouchPhase::kDown) touches.down(at, brush, stroke_id, queue);
@@ -80,7 +80,7 @@ TEST(Touches, SizeAndSpacingThatChangeWithinAStrokeAreFollowed) {
   Hand hand;
   // The curve between two samples is known once the next has come, so the change takes effect
   // somewhere from 0.3 to 0.5 m.
-  const BrushReach far = {0.02f, 0.5}, near = {0.02f, 0.1};
+  const BrushSize far = {0.02f, 0.5}, near = {0.02f, 0.1};
   hand.add(0, hand.touch(TouchPhase::kDown, 0.1), 1, far);
   for (int i = 2; i <= 4; ++i) hand.add(i, hand.touch(TouchPhase::kMove, 0.1 * i), 1, far);
   for (int i = 5; i <= 7; ++i) hand.add(i, hand.touch(TouchPhase::kMove, 0.1 * i), 1, near);
@@ -119,7 +119,7 @@ TEST(Touches, AMoveOfATouchThatIsNotDownIsNothing) {
   hand.add(0, hand.touch(TouchPhase::kMove, 0.1, 5));
   hand.add(1, hand.touch(TouchPhase::kUp, 0.3, 5));
   EXPECT_TRUE(hand.queue.empty());
-  EXPECT_FALSE(hand.touches.settled_until());
+  EXPECT_FALSE(hand.touches.final_until());
 }
 
 TEST(Touches, TheSlowestOfThemSaysWhatIsSettled) {
@@ -128,7 +128,7 @@ TEST(Touches, TheSlowestOfThemSaysWhatIsSettled) {
   hand.add(0.1, hand.touch(TouchPhase::kDown, 0.2, 2), 2);
   for (int i = 1; i < 10; ++i)
     hand.add(0.1 + 0.1 * i, hand.touch(TouchPhase::kMove, 0.2 + 0.05 * i, 2));
-  const auto settled = hand.touches.settled_until();
+  const auto settled = hand.touches.final_until();
   ASSERT_TRUE(settled);
   EXPECT_EQ(settled->time_us, 0);  // the first touch has drawn nothing yet
 }

@@ -1,10 +1,10 @@
 #pragma once
-// Keeps paint from piling up higher than a canvas carries: limits how far the edges of a block may
+// Keeps paint from piling up higher than a canvas carries: limits how far the edges of a batch may
 // come together in one step.
 
 namespace pentimento::conservative {
 
-/// A block's lines of cells: `step` lines of `length` cells (remap_plan.h).
+/// A batch's lines of cells: `step` lines of `length` cells (remap_plan.h).
 struct CrowdLines {
   int length = 0;
   int step = 1;

@@ -8,8 +8,8 @@ namespace pentimento::conservative {
 /// Scheme: pointwise, exact. Stable: nothing evolves.
 /// Source: R18 (Stuyck et al. 2016, section 5.4).
 /// Departs from it: a layer is as thick as its share of the pigment, not 1/n of the film. With
-///   velocities 2 z_k u the pigment of all layers together then moves with u, as its oil does;
-///   layers of 1/n let the upper ones run ahead of the oil, which dams every front.
+///   velocities 2 z_k u the pigment of all layers together then moves with u, as its medium does;
+///   layers of 1/n let the upper ones run ahead of the medium, which dams every front.
 /// `below`: a of all lower layers; gets the layer's own added.
 void layer_middle_row(const float* layer, const float* total, int n, float* below, float* middle);
 

@@ -65,8 +65,8 @@ void add_row(const float* __restrict layer, int n, float* __restrict total) {
 }
 
 PENTIMENTO_KERNEL
-void hold_row(const float* value, const float* __restrict share, float rounder, int n,
-              float* __restrict held, float* free) {
+void split_residue_row(const float* value, const float* __restrict share, float rounder, int n,
+                       float* __restrict held, float* free) {
   PENTIMENTO_INDEPENDENT
   for (int i = 0; i < n; ++i) {
     const float v = value[i];
@@ -78,7 +78,7 @@ void hold_row(const float* value, const float* __restrict share, float rounder, 
 }
 
 PENTIMENTO_KERNEL
-void release_row(const float* __restrict held, int n, float* __restrict value) {
+void rejoin_residue_row(const float* __restrict held, int n, float* __restrict value) {
   PENTIMENTO_INDEPENDENT
   for (int i = 0; i < n; ++i) value[i] += held[i];
 }

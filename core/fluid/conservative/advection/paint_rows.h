@@ -1,7 +1,7 @@
 #pragma once
-// Small row kernels of moving paint (move_paint_x.cpp, move_paint_y.cpp): displacements, which layers
-// a cell has, how much of the bottom layer is free. All are pointwise and exact: no scheme, nothing
-// evolves.
+// Small row kernels of moving paint (advect_paint_x.cpp, advect_paint_y.cpp): displacements, which
+// layers a cell has, how much of the bottom layer is free. All are pointwise and exact: no scheme,
+// nothing evolves.
 
 namespace pentimento::conservative {
 
@@ -20,10 +20,10 @@ void free_row(float residue, int n, float* sum_to_free, float* share);
 /// total += layer.
 void add_row(const float* layer, int n, float* total);
 /// held = value - free; free = share value in whole quanta. `free` may be `value` itself.
-void hold_row(const float* value, const float* share, float rounder, int n, float* held,
-              float* free);
+void split_residue_row(const float* value, const float* share, float rounder, int n, float* held,
+                       float* free);
 /// value += held.
-void release_row(const float* held, int n, float* value);
+void rejoin_residue_row(const float* held, int n, float* value);
 /// Whether any edge moves at all.
 bool any_motion_row(const float* edge, int n);
 /// Whether any edge moves further than `limit`.

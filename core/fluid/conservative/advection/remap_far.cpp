@@ -8,14 +8,14 @@
 namespace pentimento::conservative {
 namespace {
 
-struct Image {
+struct CellImage {
   float begin = 0, end = 0;  // in cells along the line, begin <= end
   bool reversed = false;
 };
 
-Image image_of(const FarCell& cell, int length) {
+CellImage image_of(const FarCell& cell, int length) {
   const auto clamped = [&](float x) { return std::clamp(x, 0.0f, static_cast<float>(length)); };
-  Image image;
+  CellImage image;
   image.begin = clamped(static_cast<float>(cell.at) + cell.edge_lo);
   image.end = clamped(static_cast<float>(cell.at + 1) + cell.edge_hi);
   image.reversed = image.end < image.begin;
@@ -27,7 +27,7 @@ Image image_of(const FarCell& cell, int length) {
 // covers, then put_rest(last). The share below t of the profile m + s (t - 1/2) is
 // t + (s/m) (t^2 - t) / 2.
 template <typename Put, typename PutRest>
-void for_parts(const Image& image, int length, float relative_slope, const Put& put,
+void for_parts(const CellImage& image, int length, float relative_slope, const Put& put,
                const PutRest& put_rest) {
   const float slope = image.reversed ? -relative_slope : relative_slope;
   const auto share_below = [&](float t) { return t + 0.5f * slope * (t * t - t); };

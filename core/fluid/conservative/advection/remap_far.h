@@ -1,5 +1,5 @@
 #pragma once
-// The cells of a block that move far: their image covers any number of cells (remap_plan.h).
+// The cells of a batch that move far: their image covers any number of cells (remap_plan.h).
 
 #include <functional>
 #include <vector>
@@ -29,7 +29,7 @@ std::vector<FarCell> take_far_cells(const std::vector<int>& far, const float* ed
                                     const RemapOptions& options, const ThreeRows& value);
 
 /// Adds each far cell where it lands.
-///   image [x_lo + D_lo, x_hi + D_hi], cut at the block's ends; ends swapped if reversed; each
+///   image [x_lo + D_lo, x_hi + D_hi], cut at the batch's ends; ends swapped if reversed; each
 ///   covered cell gets the part of the linear profile mapped onto it, the last one what is left
 /// Scheme: piecewise linear, 2nd order where smooth; monotone.
 /// Stable: any displacement.

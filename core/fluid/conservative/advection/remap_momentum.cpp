@@ -43,7 +43,7 @@ void velocity_row(float* __restrict mass, float* __restrict momentum, int cells)
   }
 }
 
-void remap_momentum_block(const RemapPlan& plan, const RemapOptions& options,
+void remap_momentum_batch(const RemapPlan& plan, const RemapOptions& options,
                           RemapScratch& scratch) {
   const int step = plan.step;
   const int n = plan.cells();

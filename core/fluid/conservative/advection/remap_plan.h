@@ -1,15 +1,15 @@
 #pragma once
-// Where the parts of each cell of a block go when its two edges move: shared by every quantity
+// Where the parts of each cell of a batch go when its two edges move: shared by every quantity
 // that moves with the same velocity.
 //
-// A block is a flat array of n cells whose neighbours along the axis of motion lie `step` apart:
+// A batch is a flat array of n cells whose neighbours along the axis of motion lie `step` apart:
 // step 1 for a row that moves along x; the width of a strip of columns that moves along y.
 
 #include <vector>
 
 namespace pentimento::conservative {
 
-/// Moved shares of a block's cells: tau_lo of a cell goes over its low edge, tau_hi over its high
+/// Moved shares of a batch's cells: tau_lo of a cell goes over its low edge, tau_hi over its high
 /// edge, both in [0,1] by length. stay is 1, or 0 for cells whose parts reach further than the
 /// next cell or whose edges change order: remap_scatter moves these whole.
 struct RemapPlan {

@@ -74,7 +74,7 @@ void remap_gather_row(const RemapPlan& plan, const float* __restrict out_lo,
   }
 }
 
-void remap_block(const RemapPlan& plan, const RemapOptions& options, RemapScratch& scratch) {
+void remap_batch(const RemapPlan& plan, const RemapOptions& options, RemapScratch& scratch) {
   const int step = plan.step;
   float* value = scratch.cells(scratch.value, step);
   float* lo = scratch.cells(scratch.out_lo, step);

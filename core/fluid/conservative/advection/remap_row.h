@@ -1,5 +1,5 @@
 #pragma once
-// Moves one quantity of a block (remap_plan.h) along one axis.
+// Moves one quantity of a batch (remap_plan.h) along one axis.
 
 #include <vector>
 
@@ -12,7 +12,7 @@ struct RemapOptions {
   float rounder = 0;  // quantum.h; 0 = no rounding of the moved parts
 };
 
-/// Buffers of one block, reused from one quantity to the next.
+/// Buffers of one batch, reused from one quantity to the next.
 struct RemapScratch {
   std::vector<float> value;     // step ghosts, n cells, step ghosts
   std::vector<float> out_lo;    // the same size: what leaves over the low edge
@@ -27,9 +27,9 @@ struct RemapScratch {
 /// Fills the ghosts with copies of the end cells: no slope across the ends.
 void mirror_ends(float* value, int cells, int step);
 
-/// Moves the block's cells: reads scratch.value, leaves the result there. Ends are walls. Sums are
+/// Moves the batch's cells: reads scratch.value, leaves the result there. Ends are walls. Sums are
 /// exact and nothing is negative if values are multiples of the quantum and below 2^24 quanta.
-void remap_block(const RemapPlan& plan, const RemapOptions& options, RemapScratch& scratch);
+void remap_batch(const RemapPlan& plan, const RemapOptions& options, RemapScratch& scratch);
 
 /// What each cell passes to its two neighbours.
 ///   out_hi = tau_hi (m + s/2 (1 - tau_hi)), out_lo = tau_lo (m - s/2 (1 - tau_lo)), rounded to

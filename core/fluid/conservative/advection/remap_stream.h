@@ -2,7 +2,7 @@
 // The forward remap (remap_plan.h, remap_row.h) along y, in place, row after row over whole rows of
 // planes: what leaves row r needs rows r-1 to r+1 as they were, and what row r becomes needs what
 // leaves rows r-1 to r+1, so a window of three rows is all that is kept. The same bits as
-// remap_block on the same columns.
+// remap_batch on the same columns.
 
 #include <array>
 #include <vector>
@@ -55,7 +55,7 @@ class EdgeStream {
 class QuantityStream {
  public:
   void resize(int n);
-  /// Forgets the last block.
+  /// Forgets the last batch.
   void begin();
   /// What leaves row r, planned last in `edges`. `some`: false if the row is known to be empty.
   void flux(const EdgeStream& edges, const RemapOptions& options, int r, const ThreeRows& value,

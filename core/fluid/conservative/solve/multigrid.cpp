@@ -140,7 +140,7 @@ void Multigrid::start(const Job& job, bool and_restrict, const Threads& threads)
   const std::vector<RowWork>& fill = job.fill;
   const WorkPlane& guess = job.guess != nullptr ? *job.guess : fine.x;
   const int filled = std::max(1, static_cast<int>(fill.size()));
-  for_bands(threads, fine.index, filled + (and_restrict ? 5 : 3), [&](int stage, const Run& r) {
+  for_stages(threads, fine.index, filled + (and_restrict ? 5 : 3), [&](int stage, const Run& r) {
     if (stage < static_cast<int>(fill.size())) fill[static_cast<std::size_t>(stage)](r);
     if (stage == filled) invert_diagonal(fine, r);
     if (stage == filled + 1) sweep(fine, r, guess, fine.other, kWeightA);
@@ -155,7 +155,7 @@ void Multigrid::start(const Job& job, bool and_restrict, const Threads& threads)
 // Two more sweeps.
 void Multigrid::go_on(const RowWork& finish, const Threads& threads) {
   Level& fine = level(0);
-  for_bands(threads, fine.index, finish ? 4 : 3, [&](int stage, const Run& r) {
+  for_stages(threads, fine.index, finish ? 4 : 3, [&](int stage, const Run& r) {
     if (stage == 1) sweep(fine, r, fine.x, fine.other, kWeightA);
     if (stage == 2) sweep(fine, r, fine.other, fine.x, kWeightB);
     if (stage == 3) finish(r);
@@ -164,7 +164,7 @@ void Multigrid::go_on(const RowWork& finish, const Threads& threads) {
 
 // The same from a first guess of 0.
 void Multigrid::descend(Level& here, const Threads& threads) {
-  for_bands(threads, here.index, 3, [&](int stage, const Run& r) {
+  for_stages(threads, here.index, 3, [&](int stage, const Run& r) {
     if (stage == 0) first_sweep_from_zero(here, r);
     if (stage == 1) sweep(here, r, here.other, here.x, kWeightB);
     if (stage == 2) leave_residual(here, r);
@@ -172,7 +172,7 @@ void Multigrid::descend(Level& here, const Threads& threads) {
 }
 
 void Multigrid::bottom(Level& here, const Threads& threads) {
-  for_bands(threads, here.index, 4, [&](int stage, const Run& r) {
+  for_stages(threads, here.index, 4, [&](int stage, const Run& r) {
     if (stage == 0) first_sweep_from_zero(here, r);
     if (stage == 1) sweep(here, r, here.other, here.x, kWeightB);
     if (stage == 2) sweep(here, r, here.x, here.other, kWeightA);
@@ -186,7 +186,7 @@ void Multigrid::ascend(int l, bool and_descend, const RowWork& finish, const Thr
   Level& here = level(l);
   const Level& coarse = level(l + 1);
   const int stages = and_descend ? 7 : finish ? 4 : 3;
-  for_bands(threads, here.index, stages, [&](int stage, const Run& r) {
+  for_stages(threads, here.index, stages, [&](int stage, const Run& r) {
     if (stage == 0) add_correction(here, coarse, r);
     if (stage == 1) sweep(here, r, here.x, here.other, kWeightA);
     if (stage == 2) sweep(here, r, here.other, here.x, kWeightB);

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/base/threads.h"
-#include "core/fluid/conservative/solve/bands.h"
+#include "core/fluid/conservative/solve/stages.h"
 #include "core/fluid/conservative/solve/work_plane.h"
 
 namespace pentimento::conservative {

@@ -5,7 +5,7 @@
 #include "core/canvas/canvas_state.h"
 #include "core/fluid/conservative/solve/multigrid.h"
 #include "core/fluid/conservative/solve/work_plane.h"
-#include "core/fluid/conservative/tiles/tiles.h"
+#include "core/fluid/conservative/tiles/sleep_tiles.h"
 
 namespace pentimento::conservative {
 

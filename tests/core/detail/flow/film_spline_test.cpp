@@ -18,7 +18,7 @@ constexpr CellBox kBox = {8, 24, 8, 24};
 Field<float> film_means(const Field<float>& plane) {
   const FilmSpline spline(plane, kBox);
   TileNeighbourhood fill(kBox, kSide, kSide), film(kBox, kSide, kSide);
-  fill.fill([&](int x, int y) { return spline.fill(x, y); });
+  fill.fill([&](int x, int y) { return spline.coverage(x, y); });
   film.fill([&](int x, int y) { return spline.film(x, y); });
   const int cells = kBox.width() * kFactor;
   std::vector<float> wet(static_cast<std::size_t>(cells * cells)), depth = wet;
@@ -74,9 +74,9 @@ TEST(FilmSpline, ACellBesideBareOnesIsAsFullAsItIsDeep) {
   for (int y = 0; y < kSide; ++y)
     for (int x = 0; x < 16; ++x) plane(x, y) = x == 15 ? 0.0005f : 0.002f;
   const FilmSpline spline(plane, kBox);
-  EXPECT_EQ(spline.fill(14, 16), 1);
-  EXPECT_EQ(spline.fill(15, 16), 0.25f);
-  EXPECT_EQ(spline.fill(16, 16), 0);
+  EXPECT_EQ(spline.coverage(14, 16), 1);
+  EXPECT_EQ(spline.coverage(15, 16), 0.25f);
+  EXPECT_EQ(spline.coverage(16, 16), 0);
 }
 
 TEST(FilmSpline, NeighbouringBoxesAgree) {
@@ -87,7 +87,7 @@ TEST(FilmSpline, NeighbouringBoxesAgree) {
   const FilmSpline left(plane, {0, 16, 0, 32}), right(plane, {16, 32, 0, 32});
   for (int y = 0; y < kSide; ++y)
     for (int x = 14; x < 18; ++x) {
-      EXPECT_EQ(left.fill(x, y), right.fill(x, y));
+      EXPECT_EQ(left.coverage(x, y), right.coverage(x, y));
       EXPECT_EQ(left.film(x, y), right.film(x, y));
     }
 }

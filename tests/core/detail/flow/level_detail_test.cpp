@@ -28,7 +28,7 @@ class LevelTest : public ::testing::Test {
         edges_.x[0](x, y) = edges_.y[0](x, y) = 0.1f;
       }
     for (int t = 0; t < layout_.tiles(); ++t) {
-      canvas_.cover(t, guide_);
+      canvas_.ensure_planes(t, guide_);
       DetailTile* tile = canvas_.find(t);
       if (tile == nullptr) continue;
       for (int y = 0; y < tile->box.height() * kFactor; ++y)
@@ -68,9 +68,9 @@ class LevelTest : public ::testing::Test {
 
   const DetailLayout layout_{{32, 32, 0.032, 0.032}, kFactor};
   CanvasState guide_;
-  test::PlainGround ground_;
+  test::PlainSubstrate substrate_;
   std::unique_ptr<TileStore> store_ = std::move(*TileStore::open({128 * 128, "", 0}));
-  DetailCanvas canvas_{layout_, 1, 1, 3, ground_, *store_};
+  DetailCanvas canvas_{layout_, 1, 1, 3, substrate_, *store_};
   PaintEdges edges_;
   BrushContact contact_;
   Model model_;
@@ -111,7 +111,7 @@ TEST_F(LevelTest, RipplesOfAMillimetreFadeAsInAThinFilm) {
       edges_.x[0](x, y) = 0.1f;
     }
   for (int t = 0; t < layout_.tiles(); ++t) {
-    canvas_.cover(t, guide_);
+    canvas_.ensure_planes(t, guide_);
     std::fill_n(canvas_.find(t)->depth_m.data(), 128 * 128, 0.0012f);
   }
   const StepInput in{model_, {0, 0, 9.81f}, 1.0f / 45, contact_, amount_, threads_};
@@ -134,7 +134,7 @@ TEST_F(LevelTest, ReachesAsFarOnEverySideOfAMovingEdge) {
   all.add({0, 32, 0, 32});
   const auto changed_by = [&](const PaintEdges& edges) {
     for (int t = 0; t < layout_.tiles(); ++t) {
-      canvas_.cover(t, guide_);
+      canvas_.ensure_planes(t, guide_);
       std::fill_n(canvas_.find(t)->depth_m.data(), 128 * 128, 0.0012f);
     }
     level_detail(canvas_, guide_, edges, in, all);

@@ -20,13 +20,13 @@ TEST(LevelRows, TheEdgeHasAFullAndABareSide) {
 class LevelRowTest : public ::testing::Test {
  protected:
   void level() {
-    level_row({rate_.data(), wet_.data(), film_.data(), ground_.data()}, base_.data(), kCells,
-              depth_.data());
+    relax_depth_row({rate_.data(), wet_.data(), film_.data(), substrate_.data()}, base_.data(),
+                    kCells, depth_.data());
   }
   std::vector<float> rate_ = {0.5f, 0.5f, 0.5f, 0, 0.5f};
   std::vector<float> wet_ = {1, 1, 1, 1, 0};
   std::vector<float> film_ = {0.001f, 0.001f, 0.001f, 0.001f, 0};
-  std::vector<float> ground_ = std::vector<float>(kCells, 0.002f);
+  std::vector<float> substrate_ = std::vector<float>(kCells, 0.002f);
   std::vector<float> base_ = {0.002f, 0.0025f, 0.004f, 0.002f, 0.002f};
   std::vector<float> depth_ = {0.002f, 0.001f, 0.001f, 0.003f, 0.0004f};
 };
@@ -45,9 +45,9 @@ TEST_F(LevelRowTest, PigmentComesAndGoesWithTheDepth) {
   const std::vector<float> after = {0.001f, 0.002f, 0.001f, 0.003f, 0.001f};
   const std::vector<float> smooth(kCells, 0.01f), full(kCells, 1.0f);
   std::vector<float> amount = {0.02f, 0.02f, 0.02f, 0.02f, 0};
-  carry_row({rate_.data(), wet_.data(), film_.data(), ground_.data()},
-            {smooth.data(), film_.data(), full.data()}, before.data(), after.data(), kCells,
-            amount.data());
+  relax_pigment_row({rate_.data(), wet_.data(), film_.data(), substrate_.data()},
+                    {smooth.data(), film_.data(), full.data()}, before.data(), after.data(), kCells,
+                    amount.data());
   EXPECT_FLOAT_EQ(amount[0], 0.01f);
   EXPECT_FLOAT_EQ(amount[1], 0.03f);
   EXPECT_EQ(amount[2], 0.02f);
@@ -58,9 +58,9 @@ TEST_F(LevelRowTest, PigmentComesAndGoesWithTheDepth) {
 TEST_F(LevelRowTest, BesideItsOwnEdgePigmentRelaxesToo) {
   const std::vector<float> smooth(kCells, 0.01f), edge = {0.5f, 0.75f, 1, 0.5f, 0};
   std::vector<float> amount(kCells, 0.02f);
-  carry_row({rate_.data(), wet_.data(), film_.data(), ground_.data()},
-            {smooth.data(), film_.data(), edge.data()}, depth_.data(), depth_.data(), kCells,
-            amount.data());
+  relax_pigment_row({rate_.data(), wet_.data(), film_.data(), substrate_.data()},
+                    {smooth.data(), film_.data(), edge.data()}, depth_.data(), depth_.data(),
+                    kCells, amount.data());
   // L = 1/2 towards m(E) a_s / E: m(1/2) = 0.31640625.
   EXPECT_FLOAT_EQ(amount[0], 0.5f * (0.02f + 0.31640625f * 0.02f));
   EXPECT_FLOAT_EQ(amount[1], 0.5f * (0.02f + 0.01f / 0.75f));

@@ -14,7 +14,7 @@ class LockTest : public ::testing::Test {
   float* depth() { return canvas_.find(0)->depth_m.data(); }
   float at(int x, int y) { return depth()[y * layout_.side() + x]; }
   void lock() {
-    canvas_.cover(0, guide_);
+    canvas_.ensure_planes(0, guide_);
     ChangedBlocks all(layout_);
     all.add({0, 16, 0, 16});
     lock_.lock(canvas_, guide_, all.strips(), Threads(1));
@@ -30,16 +30,16 @@ class LockTest : public ::testing::Test {
 
   const DetailLayout layout_{{16, 16, 1, 1}, 8};
   CanvasState guide_;
-  test::PlainGround ground_;
+  test::PlainSubstrate substrate_;
   std::unique_ptr<TileStore> store_ = std::move(*TileStore::open({128 * 128, "", 0}));
-  DetailCanvas canvas_{layout_, 1, 1, 3, ground_, *store_};
+  DetailCanvas canvas_{layout_, 1, 1, 3, substrate_, *store_};
   Lock lock_{layout_, 1};
 };
 
 TEST_F(LockTest, MakesBlocksHoldWhatTheGuideHolds) {
   for (int y = 4; y < 12; ++y)
     for (int x = 4; x < 12; ++x) guide_.depth_m(x, y) = 0.001f * static_cast<float>(x + y);
-  canvas_.cover(0, guide_);
+  canvas_.ensure_planes(0, guide_);
   for (int y = 30; y < 98; ++y)
     for (int x = 30; x < 98; ++x) depth()[y * layout_.side() + x] = 0.01f;
   lock();
@@ -49,10 +49,10 @@ TEST_F(LockTest, MakesBlocksHoldWhatTheGuideHolds) {
 }
 
 TEST_F(LockTest, ShowsNoBlocks) {
-  // A slope in the guide, even paint on the fine canvas.
+  // A slope in the guide, even paint on the detail canvas.
   for (int y = 0; y < 16; ++y)
     for (int x = 0; x < 16; ++x) guide_.depth_m(x, y) = 0.01f + 0.0005f * static_cast<float>(x);
-  canvas_.cover(0, guide_);
+  canvas_.ensure_planes(0, guide_);
   for (int i = 0; i < 128 * 128; ++i) depth()[i] = 0.01f;
   lock();
   EXPECT_LT(off(), 1e-8);
@@ -63,7 +63,7 @@ TEST_F(LockTest, ShowsNoBlocks) {
 
 TEST_F(LockTest, FillsWhatIsOwedBesideItsNeighbours) {
   for (int y = 0; y < 16; ++y) guide_.depth_m(7, y) = guide_.depth_m(8, y) = 0.004f;
-  canvas_.cover(0, guide_);
+  canvas_.ensure_planes(0, guide_);
   for (int y = 0; y < 128; ++y)
     for (int x = 56; x < 64; ++x) depth()[y * layout_.side() + x] = 0.004f;
   lock();  // column 8 has none
@@ -78,7 +78,7 @@ TEST_F(LockTest, PigmentThatIsOwedLeansOnItsNeighboursToo) {
       guide_.depth_m(x, y) = 0.004f;
       guide_.channel(0, 0)(x, y) = x < 9 ? 0.01f : 0.0f;
     }
-  canvas_.cover(0, guide_);
+  canvas_.ensure_planes(0, guide_);
   DetailTile* tile = canvas_.find(0);
   for (int y = 0; y < 128; ++y)
     for (int x = 48; x < 80; ++x) {
@@ -96,7 +96,7 @@ TEST_F(LockTest, PigmentThatIsOwedLeansOnItsNeighboursToo) {
 TEST_F(LockTest, LeavesOtherBlocksAlone) {
   for (int y = 0; y < 16; ++y)
     for (int x = 0; x < 16; ++x) guide_.depth_m(x, y) = 0.02f;
-  canvas_.cover(0, guide_);
+  canvas_.ensure_planes(0, guide_);
   for (int i = 0; i < 128 * 128; ++i) depth()[i] = 0.01f;
   ChangedBlocks some(layout_);
   some.add({4, 9, 5, 7});
@@ -115,7 +115,7 @@ TEST_F(LockTest, SmoothsRatiosUpToTwoAndKeepsGreaterOnesToTheirBlock) {
   const auto neighbour_changes = [&](float ratio) {
     guide_.depth_m.fill(0.01f);
     guide_.depth_m(8, 8) = ratio * 0.01f;
-    canvas_.cover(0, guide_);
+    canvas_.ensure_planes(0, guide_);
     std::fill_n(depth(), 128 * 128, 0.01f);
     lock();
     EXPECT_LT(off(), 1e-8) << ratio;
@@ -133,7 +133,7 @@ TEST_F(LockTest, SmoothsRatiosUpToTwoAndKeepsGreaterOnesToTheirBlock) {
 TEST_F(LockTest, FillsBlocksThatOweMoreThanSixteenTimesWhatTheyHold) {
   const auto owed = [&](float ratio) {
     guide_.depth_m.fill(0.01f);
-    canvas_.cover(0, guide_);
+    canvas_.ensure_planes(0, guide_);
     std::fill_n(depth(), 128 * 128, 0.01f);
     for (int y = 64; y < 72; ++y)
       for (int x = 64; x < 72; ++x) depth()[y * layout_.side() + x] = 0.01f / ratio;
@@ -148,7 +148,7 @@ TEST_F(LockTest, FillsBlocksThatOweMoreThanSixteenTimesWhatTheyHold) {
 
 TEST_F(LockTest, CountsRatios) {
   guide_.depth_m(3, 3) = 0.01f;
-  canvas_.cover(0, guide_);
+  canvas_.ensure_planes(0, guide_);
   for (int y = 24; y < 32; ++y)
     for (int x = 24; x < 32; ++x) depth()[y * layout_.side() + x] = 0.0098f;
   lock();

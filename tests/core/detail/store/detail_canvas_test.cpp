@@ -18,11 +18,11 @@ class PruneTest : public ::testing::Test {
   }
   const DetailLayout layout_{{8, 8, 1, 1}, 4};
   CanvasState guide_ = make_canvas_state({8, 8, 1, 1}, 2, 1, 3, 0.9f);
-  test::PlainGround ground_;
+  test::PlainSubstrate substrate_;
   std::unique_ptr<TileStore> store_ = std::move(*TileStore::open(
       {static_cast<std::size_t>(layout_.side()) * static_cast<std::size_t>(layout_.side()), "",
        0}));
-  DetailCanvas canvas_{layout_, 2, 1, 3, ground_, *store_};
+  DetailCanvas canvas_{layout_, 2, 1, 3, substrate_, *store_};
 };
 
 TEST_F(PruneTest, FreesWhatIsEmptyInTheGuideAndHere) {

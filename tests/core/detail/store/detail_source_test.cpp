@@ -10,7 +10,7 @@ namespace {
 TEST(DetailSource, ReadsAcrossTiles) {
   test::Painted painted(128, 8);
   painted.cross();
-  const DetailCanvas& canvas = painted.refinement().canvas();
+  const DetailCanvas& canvas = painted.follower().canvas();
   const CanvasState& guide = painted.sim().state();
   const DetailSource source(canvas, guide);
   EXPECT_EQ(source.geometry().width, 1024);
@@ -27,7 +27,7 @@ TEST(DetailSource, ReadsAcrossTiles) {
 
 TEST(DetailSource, ShowsTheGroundWhereNothingWasPainted) {
   test::Painted painted(64, 4);
-  const DetailSource source(painted.refinement().canvas(), painted.sim().state());
+  const DetailSource source(painted.follower().canvas(), painted.sim().state());
   std::vector<float> cells(5, -1.0f);
   source.read(reflectance_plane(1), 100, 50, cells);
   EXPECT_EQ(cells, std::vector<float>(5, 0.9f));
@@ -38,9 +38,9 @@ TEST(DetailSource, InterpolatesTheGuidesVelocity) {
   CanvasState guide = make_canvas_state({8, 8, 1, 1}, 1, 1, 3, 1.0f);
   for (int y = 0; y < 8; ++y)
     for (int x = 0; x < 7; ++x) guide.velocity_x_m_s(x, y) = static_cast<float>(x + 1);
-  test::PlainGround ground;
+  test::PlainSubstrate substrate;
   const std::unique_ptr<TileStore> store = std::move(*TileStore::open({128 * 128, "", 0}));
-  const DetailCanvas canvas(DetailLayout({8, 8, 1, 1}, 4), 1, 1, 3, ground, *store);
+  const DetailCanvas canvas(DetailLayout({8, 8, 1, 1}, 4), 1, 1, 3, substrate, *store);
   const DetailSource source(canvas, guide);
   std::vector<float> u(16);
   source.read({PlaneKind::kVelocityX}, 0, 9, u);
@@ -51,7 +51,7 @@ TEST(DetailSource, InterpolatesTheGuidesVelocity) {
 TEST(DetailSource, GivesStrokesOfTheGuide) {
   test::Painted painted(64, 4);
   painted.stroke(0, 0.05, 0.05, 0.1, 0.1);
-  const DetailSource source(painted.refinement().canvas(), painted.sim().state());
+  const DetailSource source(painted.follower().canvas(), painted.sim().state());
   std::vector<std::uint32_t> ids(256);
   source.read_strokes(0, 100, ids);
   for (int x = 0; x < 256; ++x)

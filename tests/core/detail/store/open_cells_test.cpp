@@ -31,9 +31,9 @@ class OpenCellsTest : public ::testing::Test {
     return {planes_, 0, 2, 1, amount_};
   }
   const DetailLayout layout_{{8, 8, 1, 1}, 4};
-  test::PlainGround ground_;
+  test::PlainSubstrate substrate_;
   std::unique_ptr<TileStore> store_ = std::move(*TileStore::open({128 * 128, "", 0}));
-  DetailCanvas canvas_{layout_, 2, 1, 3, ground_, *store_};
+  DetailCanvas canvas_{layout_, 2, 1, 3, substrate_, *store_};
   std::vector<float*> planes_;
   std::vector<float> amount_ = {1};
 };
@@ -42,7 +42,7 @@ TEST_F(OpenCellsTest, OnlyTouchedCellsFollow) {
   const LayerRow cells = row();
   for (int x = 0; x < 4; ++x) cells.at(0, 0, x) = cells.at(1, 0, x) = 1;
   const std::vector<float> full = {1, 1};
-  await_touch(*canvas_.find(0), layout_, 0, 0, 2, opening_of(full));
+  await_tip(*canvas_.find(0), layout_, 0, 0, 2, opening_of(full));
   EXPECT_FALSE(layers_correspond(*canvas_.find(0), layout_, 0, 0));
   open_cell(*canvas_.find(0), layout_, cells, 1, 0, 1);
   EXPECT_EQ(cells.at(0, 0, 1), 2);  // merged, room above
@@ -54,7 +54,7 @@ TEST_F(OpenCellsTest, OnlyTouchedCellsFollow) {
 
 TEST_F(OpenCellsTest, CorrespondAgainOnceAllAreOpen) {
   const std::vector<float> full = {1, 1};
-  await_touch(*canvas_.find(0), layout_, 0, 0, 2, opening_of(full));
+  await_tip(*canvas_.find(0), layout_, 0, 0, 2, opening_of(full));
   const LayerRow cells = row();
   for (int y = 0; y < 4; ++y)
     for (int x = 0; x < 4; ++x) {

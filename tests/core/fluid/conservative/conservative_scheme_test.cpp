@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/fluid/conservative/advection/transport.h"
+#include "core/fluid/conservative/advection/advection.h"
 #include "tests/core/fluid/analytic_case.h"
 #include "tests/core/fluid/conservative/basin.h"
 
@@ -107,7 +107,7 @@ TEST(ConservativeScheme, ATurnedCanvasFlowsAlikeTurned) {
 TEST(ConservativeScheme, ABrushPushesOnceInAStepCutIntoParts) {
   // A square of paint at rest under a push of 2 mm in x and -1 mm in y everywhere around it, and in
   // a far corner a drop that falls five cells in this step, which cuts it into five parts. Depth
-  // moves with half the push (transport.h): one cell of 1 mm, and a quarter of one of 2 mm.
+  // moves with half the push (advection.h): one cell of 1 mm, and a quarter of one of 2 mm.
   Basin b({96, 96, 0.096, 0.192});
   b.gravity_m_s2 = {0, 0, 0};
   b.model.front_depth_m = 0;

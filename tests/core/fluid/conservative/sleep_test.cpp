@@ -92,7 +92,7 @@ TEST(Sleep, AStampsReachIsThreeCellsAndWhatItPushes) {
     b.contact.push_y_m(x, y) = push_y_m;
     b.contact.touch_rows(y, y + 1);
     const StepInput in{b.model, b.gravity_m_s2, b.dt_s, b.contact, b.amount, b.pool};
-    Tiles tiles(b.state.geometry, b.model.sleep_tile_m);
+    SleepTiles tiles(b.state.geometry, b.model.sleep_tile_m);
     tiles.wake(b.state, in);
     return tiles.awake_tiles();
   };

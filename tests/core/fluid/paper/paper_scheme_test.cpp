@@ -98,7 +98,7 @@ TEST(PaperScheme, DryPigmentBesideAMovingFilmIsAllThere) {
 
 TEST(PaperScheme, AFastFrontReachesAsFarAsItsFilmOnFlatCells) {
   // 3.5 cells a step along y, on cells four times as wide as high: the foremost four cells travel
-  // at least three, so the front advances by four (front.h).
+  // at least three, so the front advances by four (wet_front.h).
   TestCanvas canvas = weightless({12, 64, 0.048, 0.064});
   const float speed = 3.5f * 0.001f / canvas.dt_s;
   canvas.pour(0, 0, 12, 30, 0.01f, 0.01f);

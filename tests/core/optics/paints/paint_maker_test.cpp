@@ -26,7 +26,7 @@ TEST(PaintMaker, InRgbWithoutAnInterfaceIsWhatItWas) {
   EXPECT_EQ(made.K, before.K);
   EXPECT_EQ(made.S, before.S);
   EXPECT_EQ(maker.from_library("cadmium red")->K, find_library_pigment("cadmium red")->K);
-  EXPECT_EQ(maker.ground({0.9f, 0.8f, 0.7f}), (std::vector<float>{0.9f, 0.8f, 0.7f}));
+  EXPECT_EQ(maker.substrate({0.9f, 0.8f, 0.7f}), (std::vector<float>{0.9f, 0.8f, 0.7f}));
   EXPECT_FALSE(maker.from_library("unobtainium"));
 }
 
@@ -250,7 +250,7 @@ TEST(Interface, GroundAndItsLookAreInverse) {
   Model model = mixtures::spectral_model(kSpectrumSamples);
   model.saunderson_k1 = 0.03f;
   const PaintMaker maker(model);
-  const std::vector<float> inside = maker.ground({0.6f, 0.5f, 0.3f});
+  const std::vector<float> inside = maker.substrate({0.6f, 0.5f, 0.3f});
   Spectrum seen{};
   for (std::size_t i = 0; i < seen.size(); ++i)
     seen[i] = saunderson_seen(static_cast<double>(inside[i]), static_cast<double>(0.03f),
@@ -269,9 +269,9 @@ TEST(Interface, APictureHasTheGroundsOfItsColours) {
     rgb[c](0, 0) = color[c];
     rgb[c](1, 0) = 1;
   }
-  const std::vector<Field<float>> planes = maker.ground(rgb);
+  const std::vector<Field<float>> planes = maker.substrate(rgb);
   ASSERT_EQ(planes.size(), static_cast<std::size_t>(kDefaultBands));
-  const std::vector<float> exact = maker.ground(color);
+  const std::vector<float> exact = maker.substrate(color);
   for (std::size_t b = 0; b < planes.size(); ++b) {
     // Sums of corners are less smooth than the smoothest spectrum of the colour.
     EXPECT_NEAR(planes[b](0, 0), exact[b], 0.12);

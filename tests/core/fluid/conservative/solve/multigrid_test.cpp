@@ -71,7 +71,7 @@ TEST(Multigrid, SolvesATinySystemByHand) {
 }
 
 TEST(Multigrid, BandsGiveWhatPlainPassesGive) {
-  // for_bands against the definition: a stage sees the stage before of three rows.
+  // for_stages against the definition: a stage sees the stage before of three rows.
   // One band, and bands as low as they get.
   for (const int height : {1, 7, 20, 63, 1063}) {
     const int rows = height > 1000 ? height : 1;
@@ -80,7 +80,7 @@ TEST(Multigrid, BandsGiveWhatPlainPassesGive) {
     const RunIndex index(runs, height);
     const int stages = 6;
     std::vector<int> done(static_cast<std::size_t>(height), 0);
-    for_bands_of(rows, Threads(), index, stages, [&](int stage, const conservative::Run& r) {
+    for_stages_in(rows, Threads(), index, stages, [&](int stage, const conservative::Run& r) {
       const auto state = [&](int y) { return done[static_cast<std::size_t>(y)]; };
       EXPECT_EQ(state(r.y), stage);
       for (const int y : {r.y - 1, r.y + 1}) {
