@@ -51,6 +51,8 @@ struct BrushDefinition {
   float absorb = 0;                // share of the paint under it that a rag keeps, per diameter
   bool scrapes = false;            // a blade: takes what stands above its edge
 
+  /// It is dipped into paint; else, as a knife or a rag, it starts clean and lays what it took up.
+  bool lays_paint() const { return film > 0; }
   float size_at(float pressure) const {
     return size.empty() ? 1 - size_pressure * (1 - pressure) : size.at(pressure);
   }

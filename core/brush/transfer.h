@@ -35,14 +35,6 @@ struct BrushInHand {
   std::uint32_t stroke_id = 0;
 };
 
-/// Reservoir height of a load, in films of one pass: with half the medium, 2 mm.
-inline constexpr float kFilmsHeld = 2;
-
-/// The load for the sliders: paint whose film is `film_medium_m` x medium high and holds
-/// `film_pigment` x pigment of the channels `per_amount` (those of amount 1 of the pigment).
-PaintLoad make_load(const Model& model, const BrushSettings& settings,
-                    std::span<const float> per_amount, std::span<const float> amount);
-
 class Transfer {
  public:
   /// All references outlive the transfer; `amount` as in LayerRow.
@@ -73,7 +65,6 @@ class Transfer {
     std::size_t cells = 0;
   };
 
-  float cell_m() const;
   TouchedRun strip_of(const StampPlan& plan, int y) const;
   float* strip_paint(const StampPlan& plan, const TouchedRun& strip);
   std::span<double> strip_sums(int y);

@@ -167,6 +167,7 @@ Result<LogSession> open_session(const RenderJob& job, const Control& control) {
   Result<Model> model = effective_model(header, job);
   if (!model) return model.error();
   session.model = *model;
+  if (job.gravity) session.gravity = {(*job.gravity)[0], (*job.gravity)[1], (*job.gravity)[2]};
   Result<BrushTable> brushes = BrushTable::make(header, session.files);
   if (!brushes) return brushes.error();
   session.brushes = std::move(*brushes);

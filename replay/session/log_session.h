@@ -30,6 +30,7 @@ struct LogSession {
   std::optional<StateDump> start;  // --from, its guide's channels in `basis`; without its `fine`
   std::optional<DetailStart> detail_start;  // the detail canvas that goes on
   CanvasGeometry canvas;                    // the log's grid
+  std::optional<log::Gravity> gravity;      // --gravity, in place of the log's
   OutputSize size;
   CanvasGeometry grid;  // of the simulation
   Refine refine = Refine::kGuided;

@@ -303,6 +303,19 @@ TEST(CommandRender, ADryRunHasStandardOutputForItselfWhateverIsWritten) {
   }
 }
 
+TEST(CommandRender, ADryRunCountsTheTiltThatIsRendered) {
+  const Workplace place;
+  const auto tilted = [&](const std::string& options) {
+    const Ran ran = place.run("render a.jsonl --dry-run --json " + options);
+    EXPECT_EQ(ran.code, 0) << ran.err;
+    return json_member(ran.out, "tilted_cell_steps");
+  };
+  const std::string log = tilted("");  // it tilts the canvas at 0.5 s
+  EXPECT_GT(std::stod(log), 0);
+  EXPECT_EQ(tilted("--gravity 0,0,9.81"), "0");
+  EXPECT_GT(std::stod(tilted("--gravity 0,9.81,0")), std::stod(log));  // from the first stroke on
+}
+
 TEST(CommandRender, TheLocaleChangesNothing) {
   const Workplace place;
   // A German locale, with commas in its numbers, wherever the machine has what it is made from.
