@@ -7,20 +7,12 @@
 #include "formats/image/resample.h"
 #include "formats/log/tables/model_fields.h"
 #include "formats/log/tables/slider_fields.h"
-#include "replay/session/log_session.h"
 
 namespace pentimento {
 
 Vec3f core_gravity(const log::Gravity& gravity) {
   return {static_cast<float>(gravity.x_m_s2), static_cast<float>(-gravity.y_m_s2),
           static_cast<float>(gravity.z_m_s2)};
-}
-
-HandInput hand_input(LogSession& session, ReplaySubstrate* detail_substrate) {
-  std::optional<Vec3f> gravity;
-  if (session.gravity) gravity = core_gravity(*session.gravity);
-  return {session.brushes, session.palette,  session.first_color, session.files,
-          gravity,         detail_substrate, session.maker};
 }
 
 Hand::Hand(Painter& painter, const HandInput& input) : painter_(painter), input_(input) {

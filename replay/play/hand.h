@@ -46,11 +46,6 @@ class Hand {
   BrushSettings settings_;
 };
 
-struct LogSession;
-/// For the hand that plays the session's log. `detail_substrate`: of the detail canvas, if there is
-/// one.
-HandInput hand_input(LogSession& session, ReplaySubstrate* detail_substrate = nullptr);
-
 /// From the accelerometer's frame (y up) into core's (y down).
 Vec3f core_gravity(const log::Gravity& gravity);
 

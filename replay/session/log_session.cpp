@@ -218,4 +218,11 @@ Result<std::unique_ptr<Simulation>> make_simulation(LogSession& session, const T
   return simulation;
 }
 
+HandInput hand_input(LogSession& session, ReplaySubstrate* detail_substrate) {
+  std::optional<Vec3f> gravity;
+  if (session.gravity) gravity = core_gravity(*session.gravity);
+  return {session.brushes, session.palette,  session.first_color, session.files,
+          gravity,         detail_substrate, session.maker};
+}
+
 }  // namespace pentimento

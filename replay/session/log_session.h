@@ -12,6 +12,7 @@
 #include "replay/job/render_job.h"
 #include "replay/log/brushes.h"
 #include "replay/log/log_files.h"
+#include "replay/play/hand.h"
 #include "replay/play/replay_detail.h"
 #include "replay/session/log_plan.h"
 
@@ -43,5 +44,9 @@ Result<LogSession> open_session(const RenderJob& job, const Control& control);
 
 /// A canvas for the session's replay. Errors: the paper's texture. Moves `start`'s state out.
 Result<std::unique_ptr<Simulation>> make_simulation(LogSession& session, const Threads& threads);
+
+/// For the hand that plays the session's log. `detail_substrate`: of the detail canvas, if there is
+/// one.
+HandInput hand_input(LogSession& session, ReplaySubstrate* detail_substrate = nullptr);
 
 }  // namespace pentimento
