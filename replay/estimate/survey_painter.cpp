@@ -47,7 +47,7 @@ void SurveyPainter::stamp(int touch_id, const Stamp& stamp) {
   const BrushSettings& settings = held_.settings();
   const TipPose pose = pose_on(grid_, stamp, brush);
   const CarriedPaint::Contact met =
-      map_.lay({pose, held_.tip(), touch.paint, touch.stroke_id, step_, settings});
+      map_.deposit({pose, held_.tip(), touch.paint, touch.stroke_id, step_, settings});
   touch.paint.pass(met, static_cast<double>(pickup_share(stamp, brush, settings, pose)),
                    static_cast<double>(refill_share(stamp, brush, settings, pose)));
 }
