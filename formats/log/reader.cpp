@@ -120,7 +120,7 @@ Result<std::optional<Event>> LogReader::at_cut(const Line& line) {
 }
 
 Result<void> LogReader::rewind() {
-  const Result<void> rewound = lines_.rewind();
+  Result<void> rewound = lines_.rewind();
   if (!rewound) return rewound;
   rules_ = LogRules(header_, options_);
   // The header is known; what callers hold of it stays where it is.
