@@ -198,6 +198,7 @@ TEST_F(SameHand, ARagThroughWetPaint) {
   });
   ASSERT_GT(found.painted, 1000);
   EXPECT_GT(found.foreseen, (1 - kRims) * found.painted);
+  EXPECT_EQ(at(0.25, 0.1) & kRed, 0u);  // it was not dipped
   // It gives a hundredth of it back, mostly less than can be kept: the map counts that all the
   // same.
 }
