@@ -33,7 +33,7 @@ void SurveyPainter::set_color(int pigment, float from, float to) {
 
 void SurveyPainter::begin_stroke(int touch_id, std::uint32_t stroke_id) {
   const auto [found, is_new] = touches_.try_emplace(touch_id);
-  Touch& touch = found->second;
+  SurveyTouch& touch = found->second;
   if (is_new) dip(touch);
   touch.down = true;
   touch.stroke_id = stroke_id;
@@ -42,7 +42,7 @@ void SurveyPainter::begin_stroke(int touch_id, std::uint32_t stroke_id) {
 void SurveyPainter::stamp(int touch_id, const Stamp& stamp) {
   const auto found = touches_.find(touch_id);
   PENTIMENTO_CHECK(found != touches_.end() && found->second.down);
-  Touch& touch = found->second;
+  SurveyTouch& touch = found->second;
   const BrushDefinition& brush = held_.brush();
   const BrushSettings& settings = held_.settings();
   const TipPose pose = pose_on(grid_, stamp, brush);
@@ -81,7 +81,7 @@ std::uint32_t SurveyPainter::channels_of(int pigment) const {
 }
 
 /// A clean brush gets its colours; what lays no paint starts with none.
-void SurveyPainter::dip(Touch& touch) const {
+void SurveyPainter::dip(SurveyTouch& touch) const {
   touch.paint = {};
   if (!held_.brush().lays_paint()) return;
   for (const DippedColor& color : held_.colors())

@@ -39,20 +39,20 @@ class SurveyPainter : public Painter {
   const CanvasGeometry& geometry() const override { return grid_; }
 
  private:
-  struct Touch {
+  struct SurveyTouch {
     CarriedPaint paint;
     std::uint32_t stroke_id = 0;
     bool down = false;
   };
   std::uint32_t channels_of(int pigment) const;
-  void dip(Touch& touch) const;
+  void dip(SurveyTouch& touch) const;
   void dip_all();
 
   const ChannelBasis& basis_;
   CanvasGeometry grid_;
   Model model_;
   HeldBrush held_;
-  std::map<int, Touch> touches_;
+  std::map<int, SurveyTouch> touches_;
   PaintMap map_;
   std::int64_t step_ = 0;
 };
