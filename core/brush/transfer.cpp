@@ -23,19 +23,20 @@ constexpr float kMostSqueezed = 1.5f;       // of a blade's film, where there is
 constexpr int kRowsPerTask = 8;
 constexpr int kCellsWorthThreads = 3000;  // some 0.2 ms of work; handing out rows costs 10 us
 
-/// 1 for a slow stroke; a fast one passes over what is below.
+/// 1 for a slow stroke, more for a fast one, which passes over the hollows.
 float speed_factor(const Stamp& stamp) {
   const Vec2f v = stamp.velocity_m_s;
   return 1 + std::sqrt(v.x * v.x + v.y * v.y) / (kSlowing_per_s * stamp.diameter_m);
 }
 
-/// What is left of the film as the brush dries: bristles that still give do not give much less.
+/// Share of the film that the brush still lays as it dries. Below kDryFilm it falls slowly, for
+/// bristles that still give paint do not give much less.
 float wet_film(float density_frac) {
   if (density_frac >= kDryFilm) return density_frac;
   return kDryFilm * std::sqrt(density_frac / kDryFilm);
 }
 
-/// 1 - (1 - frac)^lengths: a share per length, over another distance.
+/// 1 - (1 - frac)^lengths: turns a share per length into the share over `lengths` lengths.
 float share_over(float frac, double lengths) {
   const double kept = 1 - static_cast<double>(std::clamp(frac, 0.0f, 1.0f));
   return static_cast<float>(1 - approx::pow(kept, lengths));
@@ -64,6 +65,7 @@ Transfer::Transfer(CanvasState& state, BrushContact& contact, PaintAccount& acco
 void Transfer::apply(const Stamp& stamp, const BrushInHand& hand, const Model& model,
                      Reservoir& reservoir) {
   if (!(hand.tip.mean() > 0) || !(stamp.travel_m >= 0)) return;
+  // Where the tip is, and how strongly it acts: all that is the same for every cell.
   StampPlan plan;
   place(stamp, hand, reservoir, plan);
   if (plan.box.empty()) return;
@@ -72,15 +74,21 @@ void Transfer::apply(const Stamp& stamp, const BrushInHand& hand, const Model& m
   prepare(plan.box, plan.stride);
   footprint_.draw_cells(plan, cell_m());
 
+  // What lies under the tip; from that, how far down the bristles reach.
   for_rows(plan, &Transfer::measure_rows);
   find_heights(hand, plan);
+  // The canvas gives paint to the brush (R23), the palette refills it (R22).
   for_rows(plan, &Transfer::pick_up_rows);
   pick_up_and_refill(plan, hand, reservoir);
+  // Levelling must not change how much the stamp lays.
   const bool deposits = find_share_scale(plan);
   if (listener_ != nullptr) listener_->before_deposit(plan, state_);
   if (!deposits) return;
+  // The brush gives paint to the canvas (R25), layers mix (R28), the fluid learns of the contact
+  // (R17).
   for_rows(plan, &Transfer::deposit_rows);
   if (listener_ != nullptr) listener_->after_deposit(plan, state_);
+  // The brush loses its surplus and dries (R24).
   return_surplus(plan, hand, reservoir);
 }
 
@@ -88,7 +96,7 @@ float Transfer::cell_m() const {
   return std::sqrt(state_.geometry.dx_m() * state_.geometry.dy_m());
 }
 
-/// Where the stamp lies and what it is made of.
+/// Fills in the plan where the stamp lies, which paint it lays and how the tip is pressed.
 void Transfer::place(const Stamp& stamp, const BrushInHand& hand, const Reservoir& reservoir,
                      StampPlan& plan) const {
   plan.pose = pose_of(stamp, hand.brush, kSmallestCells * cell_m());
@@ -106,7 +114,8 @@ void Transfer::place(const Stamp& stamp, const BrushInHand& hand, const Reservoi
   plan.stroke_id = hand.stroke_id;
 }
 
-/// How much the stamp lifts, lays, mixes and pushes, from sliders, pressure and distance.
+/// Fills in the plan how much the stamp picks up, deposits, mixes and pushes. That follows from the
+/// sliders, the pressure and the distance that the stamp stands for.
 void Transfer::set_rates(const Stamp& stamp, const BrushInHand& hand, const Model& model,
                          const Reservoir& reservoir, StampPlan& plan) const {
   const BrushSettings& settings = hand.settings;
@@ -115,6 +124,7 @@ void Transfer::set_rates(const Stamp& stamp, const BrushInHand& hand, const Mode
   const float stiffness = brush.stiffness < 0 ? settings.stiffness : brush.stiffness;
   const double diameters =
       static_cast<double>(stamp.travel_m) / static_cast<double>(plan.pose.diameter_m);
+  // R23: what it picks up.
   plan.dry_m = kDryFrac * model.max_medium_m;
   plan.pickup_frac =
       std::max(share_over(settings.pickup, diameters),
@@ -123,6 +133,7 @@ void Transfer::set_rates(const Stamp& stamp, const BrushInHand& hand, const Mode
   plan.pick_up.residue = model.pigment_residue;
   if (stamp.pressure >= 0 && brush.absorb == 0)
     plan.pick_up.penetration_frac = std::clamp(pressure * (0.5f + stiffness), 0.0f, 1.0f);
+  // R28: how far neighbouring layers mix.
   plan.mix = {0.5f * pressure * share_over(settings.layer_mixing, diameters),
               model.pigment_residue};
   plan.deposit = {model.max_medium_m, hand.stroke_id};
@@ -135,10 +146,13 @@ void Transfer::set_rates(const Stamp& stamp, const BrushInHand& hand, const Mode
   const float mean = 0.5f * (unhurried + hand.tip.mean()) * plan.mean / unhurried;
   plan.film_rate = brush.film * wet_film(reservoir.density_frac) * brush.flow_at(pressure) * thin *
                    static_cast<float>(diameters) / (mean * kFilmsHeld);
+  // R22: how much of the surplus goes back to the canvas.
   plan.return_frac = (1 - brush.absorb) * static_cast<float>(-approx::expm1(-diameters));
+  // A22: contact levelling; a brush that runs dry levels less.
   plan.level_per_m = model.contact_levelling * std::max(0.0f, 2 * reservoir.density_frac - 1) /
                      (model.film_medium_m * settings.medium_frac + kWeaveReach_m);
   plan.push_m = model.brush_push * stamp.travel_m;
+  // A blade takes what stands above its edge, whatever the pressure.
   if (brush.scrapes) {
     plan.pick_up.share_frac = 1;  // stamp_pick_up_weight() says how much
     plan.pick_up.penetration_frac = -1;
@@ -146,8 +160,8 @@ void Transfer::set_rates(const Stamp& stamp, const BrushInHand& hand, const Mode
   }
 }
 
-/// Heights under the tip: their mean; what a dry or light brush reaches of them; and where the edge
-/// of a blade is.
+/// Fills in the plan the mean of the heights under the tip, and which of them the brush reaches:
+/// where a blade's edge is, or how deep the bristles of a dry or light brush come.
 void Transfer::find_heights(const BrushInHand& hand, StampPlan& plan) const {
   double value = 0, height = 0, square = 0, base = 0;
   for (int y = 0; y < plan.box.height; ++y) {
@@ -180,8 +194,9 @@ void Transfer::find_heights(const BrushInHand& hand, StampPlan& plan) const {
   plan.catch_offset = offset + plan.catch_per_m * std::max(0.0f, wet_m - kCarries_m);
 }
 
-/// Levelling only redistributes. Whole on the canvas, the tip lays its exact total; cut by the
-/// border, what its cells say. False if nothing can be laid.
+/// Finds the factor that keeps levelling from changing the stamp's total. If the whole tip is on
+/// the canvas, the total is that of the tip; if the border cuts the tip, it is the sum over its
+/// cells. Returns false if nothing can be deposited.
 bool Transfer::find_share_scale(StampPlan& plan) const {
   double value = 0, share = 0;
   for (int y = 0; y < plan.box.height; ++y) {
@@ -234,7 +249,7 @@ void Transfer::for_rows(const StampPlan& plan, void (Transfer::*pass)(const Stam
   });
 }
 
-/// The tip's value per cell, and what the canvas is like under it.
+/// Measures the tip's value in each cell, and the heights of the canvas under the tip.
 void Transfer::measure_rows(const StampPlan& plan, int begin, int end) {
   const BristleTable& grip = plan.tip->grip_table();
   for (int y = begin; y < end; ++y) {
@@ -286,7 +301,8 @@ std::span<double> Transfer::strip_sums(int y) {
   return {row_paint_.data() + static_cast<std::size_t>(y) * parts_, parts_};
 }
 
-/// Contact levelling (A22): less on bumps, more in hollows; and the lift.
+/// Contact levelling (A22): the stamp will deposit less on bumps and more in hollows. Then the
+/// paint is picked up (R23).
 void Transfer::pick_up_rows(const StampPlan& plan, int begin, int end) {
   for (int y = begin; y < end; ++y) {
     const TouchedRun strip = strip_of(plan, y);
@@ -315,7 +331,7 @@ void Transfer::pick_up_rows(const StampPlan& plan, int begin, int end) {
   }
 }
 
-/// The lifted paint arrives in the brush, and the palette's paint with it (R22).
+/// The picked up paint arrives in the reservoir, and the palette's paint with it (R22).
 void Transfer::pick_up_and_refill(const StampPlan& plan, const BrushInHand& hand,
                                   Reservoir& reservoir) {
   add_to(plan, account_.picked_up);
@@ -330,7 +346,7 @@ void Transfer::pick_up_and_refill(const StampPlan& plan, const BrushInHand& hand
   reservoir.refill(hand.load, hand.tip, refill);
 }
 
-/// Lays the film and the surplus, mixes the layers, marks the contact.
+/// Deposits the film and the surplus, mixes the layers, marks the contact.
 void Transfer::deposit_rows(const StampPlan& plan, int begin, int end) {
   for (int y = begin; y < end; ++y) {
     const TouchedRun strip = strip_of(plan, y);
@@ -363,7 +379,8 @@ void Transfer::deposit_rows(const StampPlan& plan, int begin, int end) {
   }
 }
 
-/// Keeps the books, takes the surplus that was laid out of the brush, and dries the brush (R24).
+/// Adds to the account, takes out of the reservoir the surplus that was deposited, and dries the
+/// brush (R24).
 void Transfer::return_surplus(const StampPlan& plan, const BrushInHand& hand,
                               Reservoir& reservoir) {
   add_to(plan, account_.deposited);
@@ -389,7 +406,7 @@ void Transfer::return_surplus(const StampPlan& plan, const BrushInHand& hand,
                                                   (hand.brush.capacity * plan.pose.diameter_m));
 }
 
-/// The rows' sums in their order, into `paint_sum_` and, as volumes, into a flow.
+/// Adds the sums of the rows, in the order of rows: into `paint_sum_` and, as volumes, into `flow`.
 void Transfer::add_to(const StampPlan& plan, PaintFlow& flow) {
   std::fill(paint_sum_.begin(), paint_sum_.end(), 0.0);
   for (int y = 0; y < plan.box.height; ++y)

@@ -1,8 +1,9 @@
 #pragma once
-// One stamp: paint goes from the canvas to the brush and from the brush to the canvas (R21-R28),
-// and the fluid learns where the brush was. Order: lift, refill, lay, mix, contact. Works only on
-// the cells under the tip and allocates nothing once its scratch has grown to the largest stamp.
-// Not thread-safe; rows of a large stamp run on `threads`, sums are added in row order.
+// The transfer at one stamp: paint goes from the canvas to the brush and from the brush to the
+// canvas (R21-R28), and the fluid learns where the brush was. Order: pick up, refill, deposit, mix,
+// contact. The transfer works only on the cells under the tip and allocates nothing once its
+// scratch has grown to the largest stamp. Not thread-safe; the rows of a large stamp run on
+// `threads`, and sums are added in the order of rows.
 
 #include <cstdint>
 #include <span>
@@ -35,23 +36,28 @@ struct BrushInHand {
   std::uint32_t stroke_id = 0;
 };
 
-/// Reservoir height of a load, in films of one pass: with half the medium, 2 mm.
+/// Height of paint in a full reservoir, in films of one pass. At half of the medium slider that is
+/// 2 mm.
 inline constexpr float kFilmsHeld = 2;
 
-/// The load for the sliders: paint whose film is `film_medium_m` x medium high and holds
-/// `film_pigment` x pigment of the channels `per_amount` (those of amount 1 of the pigment).
+/// The load that the sliders ask for: paint whose film is `film_medium_m` times the medium slider
+/// high. The film holds `film_pigment` times the pigment slider of the channels `per_amount`, which
+/// are the channels of amount 1 of the pigment. `amount`: share of each channel in the total amount
+/// (A26).
 PaintLoad make_load(const Model& model, const BrushSettings& settings,
                     std::span<const float> per_amount, std::span<const float> amount);
 
 class Transfer {
  public:
-  /// All references outlive the transfer; `amount` as in LayerRow.
+  /// All references must outlive the transfer. `amount`: as in LayerRow.
   Transfer(CanvasState& state, BrushContact& contact, PaintAccount& account,
            std::span<const float> amount, const Threads& threads);
 
-  /// Told of every stamp from now on; nullptr: nobody. Outlives the transfer.
+  /// `listener` is told of every stamp from now on; nullptr: nobody is. It must outlive the
+  /// transfer.
   void set_listener(StampListener* listener) { listener_ = listener; }
 
+  /// Does one stamp on the canvas and on `reservoir`.
   void apply(const Stamp& stamp, const BrushInHand& hand, const Model& model, Reservoir& reservoir);
 
  private:
