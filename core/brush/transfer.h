@@ -113,7 +113,7 @@ class Transfer {
   std::vector<float> share_;           // the same after contact levelling
   std::vector<float> hold_;            // how hard the bristles hold, [0,2] per cell
   std::vector<float> pick_up_weight_;  // of a blade: what pick_up_row() takes
-  std::vector<float> paint_;           // lifted, then laid: `stride` floats per cell
+  std::vector<float> paint_;           // picked up, then deposited: `stride` floats per cell
   std::vector<double> row_paint_;      // `parts_` per row
   std::vector<double> paint_sum_;
   std::vector<RowSums> row_;

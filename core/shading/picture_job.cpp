@@ -183,7 +183,7 @@ PictureLayout lay_out(const ShadeScene& scene, const ShadeRequest& request,
                       const std::vector<PlaneSource>& planes) {
   const CanvasGeometry& grid = scene.canvas.geometry();
   PictureLayout out;
-  // As many samples per pixel as the finer axis needs.
+  // As many samples per pixel along both axes as the one that needs more.
   const int samples = std::max(samples_per_pixel(grid.width, request.width),
                                samples_per_pixel(grid.height, request.height));
   out.x = {grid.width, request.width, samples};
