@@ -8,8 +8,8 @@
 
 namespace pentimento {
 
-/// exp(x) for x <= 0, within 3e-7 relative. For x < -87 it gives exp(-87) = 1.6e-38. Source: Cody
-/// and Waite 1980: 2^k exp(r) with |r| <= ln 2 / 2, a Taylor polynomial of order 6.
+/// exp(x) for x <= 0, within 3e-7 relative. For x < -87 it gives exp(-87) = 1.6e-38.
+/// Source: Cody and Waite 1980: 2^k exp(r) with |r| <= ln 2 / 2, a Taylor polynomial of order 6.
 inline float row_exp(float x) {
   x = std::max(x, -87.0f);
   // k is rounded to the nearest: the cast cuts towards 0, and the number is not positive.

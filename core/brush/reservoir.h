@@ -2,8 +2,9 @@
 // The reservoir: what a brush holds, as a texture of paint over the tip (R21, R22, R24), so that a
 // stroke has streaks. Paint is a height of medium and an amount of each channel, both per area of
 // tip. Its `volume` counts pigment as a height too, so that paint of any thinness can be measured
-// against a full load. The palette supplies the reservoir without end: depositing a film does not
-// empty it, and picked up paint adds to it.
+// against a full load.
+// The palette supplies the reservoir without end: depositing a film does not empty it, and picked
+// up paint adds to it.
 
 #include <array>
 #include <span>

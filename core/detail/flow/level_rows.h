@@ -31,7 +31,8 @@ struct LevelPigmentRow {
 ///   a *= d' / d where d' < d;  a += (d' - d) a_s / d_s elsewhere
 /// then near the pigment's own edge, over its wetness E = a_s's fullness:
 ///   a += L min(1, 4 (1 - E)) (m(E + 0.12) a_s / E - a)
-/// Scheme: pointwise. Stable: a stays >= 0. Source: level_detail.h. Departs from it: nothing.
+/// Scheme: pointwise. Stable: a stays >= 0.
+/// Source: level_detail.h. Departs from it: nothing.
 void relax_pigment_row(const LevelRow& guide, const LevelPigmentRow& pigment, const float* before_m,
                        const float* after_m, int n, float* amount);
 

@@ -34,8 +34,9 @@ class Lock {
   ///   then value *= guide / block mean, whatever that is; blocks that owe more than 16 times what
   ///   they hold are filled (uncovered_blocks.h)
   /// This is done for each layer of a pigment. In mismatched blocks (open_cells.h) it is done for
-  /// the sum over the layers, with one ratio for all. Scheme: multiplicative, so nothing becomes
-  /// negative and bare cells stay bare. Stable: the last ratio is exact; the first are bounded.
+  /// the sum over the layers, with one ratio for all.
+  /// Scheme: multiplicative, so nothing becomes negative and bare cells stay bare.
+  /// Stable: the last ratio is exact; the first are bounded.
   /// Source: docs/fidelity.md. Departs from it: blocks outside the list count as ratio 1, so list
   /// the neighbours of what changed.
   void lock(DetailCanvas& canvas, const CanvasState& guide, const std::vector<BlockStrip>& strips,

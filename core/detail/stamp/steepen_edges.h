@@ -19,8 +19,9 @@ namespace pentimento {
 /// S: smooth step; h: depth of the fine cell; h_max: the guide's largest depth within two cells;
 /// h_out: the least beside the cell; _block: mean over the block; q: depth and every pigment plane.
 /// Scheme: pointwise, then one ratio per block. Stable: amounts stay >= 0, each block keeps what it
-/// has of everything to rounding, so the guide does not notice. Source: ours; the edge profile of
-/// thin films in level_detail.h. Departs from it: nothing. Each block is listed once in `blocks`.
+/// has of everything to rounding, so the guide does not notice.
+/// Source: ours; the edge profile of thin films in level_detail.h. Departs from it: nothing. Each
+/// block is listed once in `blocks`.
 void steepen_edges(DetailCanvas& canvas, const CanvasState& guide,
                    const std::vector<ReleasedBlock>& blocks, const Threads& threads);
 

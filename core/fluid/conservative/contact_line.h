@@ -16,10 +16,11 @@ namespace pentimento::conservative {
 /// to rest. So an edge stands until its paint is deeper than e. Along a straight edge 2 D = d. A
 /// protruding tip has less paint around it and is held more; a notch has more paint and is held
 /// less. So the deepest places break out, drain their neighbours, and become drips about as wide as
-/// the reach. Scheme: pointwise; a factor on the bed friction, which forces, pressure and momentum
-/// share. Stable: a factor in [0, 1] on an implicit friction. Source: de Gennes, Brochard-Wyart,
-/// Quere, Capillarity and Wetting Phenomena, 2004, ch. 2. Departs from it: the edge's curvature
-/// enters through D alone, and a receding edge is held too.
+/// the reach.
+/// Scheme: pointwise; a factor on the bed friction, which forces, pressure and momentum share.
+/// Stable: a factor in [0, 1] on an implicit friction.
+/// Source: de Gennes, Brochard-Wyart, Quere, Capillarity and Wetting Phenomena, 2004, ch. 2.
+/// Departs from it: the edge's curvature enters through D alone, and a receding edge is held too.
 class ContactLine {
  public:
   /// `depth_m`: e, > 0. `reach_m`: the reach, > 0. `dx_m`, `dy_m`: sides of a cell.

@@ -26,8 +26,8 @@ void advance_front_along_columns(const StepConstants& k, const CanvasState& stat
                                  Columns cells, int row_begin, int row_end, FrontInflow& inflow);
 
 /// Writes the velocity that the step leaves in row y. Returns whether any bit changed.
-///   thin cells (d < dry film): the mean of what reaches them; else, and in all other cells, their
-///   own; 0 on bare paper that nothing reaches
+///   thin cells (d < dry film) that films reach: the mean of the velocities of these films;
+///   bare paper that no film reaches: 0; all other cells: their own velocity
 /// Scheme: first-order extrapolation. Stable: a mean. Source: A9, R15. Departures: see above.
 /// Stamped wet cells keep the brush's velocity (R17). The caller closes the edge (R16) in both.
 bool update_velocity_row(const BrushContact& contact, const Velocity& velocity,

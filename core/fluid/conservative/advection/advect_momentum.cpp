@@ -35,7 +35,8 @@ void mean_row(const FaceFlow& a, const FaceFlow& b, float to_cells, int n, float
 // An edge lies between two nodes. If x nodes move along x, or y nodes along y, the edge is the
 // centre of a cell, between the two faces of that cell. If nodes move across their axis, the edge
 // is the corner of a cell, between the two faces that meet there, of this column and the next or of
-// this row and the next. `other`: how far the second face is from the first.
+// this row and the next.
+// `other`: how far the second face is from the first.
 struct Offset {
   int x = 0, y = 0;
 };

@@ -14,7 +14,8 @@ inline float larger_magnitude(float a, float b) {
 }
 
 /// Monotonised central difference (MC): the mean of the two differences, at most twice either of
-/// them; 0 at extrema. Source: van Leer, J. Comput. Phys. 23 (1977) 276-299.
+/// them; 0 at extrema.
+/// Source: van Leer, J. Comput. Phys. 23 (1977) 276-299.
 inline float limited_mc(float below, float above) {
   const float steep = smaller_magnitude(2 * below, 2 * above);
   const float slope = smaller_magnitude(0.5f * (below + above), steep);

@@ -35,10 +35,11 @@ void remap_batch(const RemapPlan& plan, const RemapOptions& options, RemapScratc
 /// Finds what each cell passes to its two neighbours.
 ///   out_hi = tau_hi (m + s/2 (1 - tau_hi)), out_lo = tau_lo (m - s/2 (1 - tau_lo)), rounded to
 ///   quanta and never more than there is; s: limited difference of the neighbours
-/// Scheme: piecewise linear, 2nd order where smooth; monotone. Stable: any displacement the plan
-/// allows. Source: Lauritzen et al. 2010 (remap_plan.h), profiles of van Leer 1977 (limiter.h).
-/// Departs from it: moved parts are whole quanta, so that sums are exact. `value` has `step` more
-/// cells before and after. Far cells (stay = 0) pass nothing.
+/// Scheme: piecewise linear, 2nd order where smooth; monotone.
+/// Stable: any displacement the plan allows.
+/// Source: Lauritzen et al. 2010 (remap_plan.h), profiles of van Leer 1977 (limiter.h).
+/// Departs from it: moved parts are whole quanta, so that sums are exact.
+/// `value` has `step` more cells before and after. Far cells (stay = 0) pass nothing.
 void remap_flux_row(const RemapPlan& plan, const RemapOptions& options, const float* value,
                     float* out_lo, float* out_hi);
 

@@ -32,8 +32,8 @@ class RowRing {
 class EdgeStream {
  public:
   void resize(int n);
-  /// Plans row r from its two rows of edges. Rows come one after the other, from 0. `moves`: false
-  /// if it is known that no edge moves; then the edges are not read.
+  /// Plans row r from its two rows of edges. Rows come one after the other, from 0.
+  /// `moves`: false if it is known that no edge moves; then the edges are not read.
   void plan(int r, const float* edge_lo, const float* edge_hi, bool moves);
   bool moves(int r) const { return moves_[static_cast<std::size_t>((r + 3) % 3)]; }
   const float* stay(int r) const { return moves(r) ? stay_.row(r) : ones_.row(0); }
