@@ -1,5 +1,5 @@
 #pragma once
-// Whether a row has anything in it.
+// A look through a row for anything but zeros.
 
 namespace pentimento {
 

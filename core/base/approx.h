@@ -1,12 +1,12 @@
 #pragma once
-// Elementary functions for everything that reaches the state. A C library may round exp, log or
-// sin differently from another; these use only + - * / and comparisons, so every IEEE machine gives
-// the same bits. Sources: Cody and Waite, Software Manual for the Elementary Functions, 1980
-// (argument reduction with a split constant); the polynomials are Taylor series, long enough for
-// the reduced range. The float versions round the double result.
+// Elementary functions for everything that reaches the state. One C library may round exp, log or
+// sin differently from another. The functions here use only + - * / and comparisons, so every IEEE
+// machine gives the same bits. Sources: Cody and Waite, Software Manual for the Elementary
+// Functions, 1980 (argument reduction with a split constant); the polynomials are Taylor series
+// that are long enough for the reduced range. The float versions round the double result.
 //
-// Errors, tested against the C library: exp, expm1, exp2, log, log1p, log2, tanh, sinh, cosh,
-// atan2 <= 4 ulp; sin and cos <= 3e-16 absolute for |x| <= 1e6; pow <= 1e-15 (1 + |y ln x|)
+// Largest errors, tested against the C library: exp, expm1, exp2, log, log1p, log2, tanh, sinh,
+// cosh, atan2 <= 4 ulp; sin and cos <= 3e-16 absolute for |x| <= 1e6; pow <= 1e-15 (1 + |y ln x|)
 // relative; the float versions <= 1 ulp. NaN gives NaN.
 
 #include <array>
@@ -44,7 +44,7 @@ constexpr double power_of_two(int k) {
   return std::bit_cast<double>(static_cast<std::uint64_t>(k + 1023) << 52);
 }
 
-/// x 2^k; two factors, so that results down to the subnormals round once.
+/// x 2^k, by two factors, so that a subnormal result is rounded only once.
 constexpr double scaled(double x, int k) {
   const int half = k / 2;
   return x * power_of_two(half) * power_of_two(k - half);
@@ -206,7 +206,7 @@ constexpr double pow(double x, double y) {
   return exp(y * log(x));
 }
 
-/// |x| <= 1e6 for the stated accuracy; NaN beyond 1e9.
+/// sin and cos have the stated accuracy for |x| <= 1e6, and give NaN for |x| > 1e9. x in radians.
 constexpr double sin(double x) {
   return detail::sin_shifted(x, 0);
 }
@@ -214,7 +214,7 @@ constexpr double cos(double x) {
   return detail::sin_shifted(x, 1);
 }
 
-/// Angle of (x, y) in [-pi, pi]; 0 at the origin; the sign of a zero is ignored.
+/// Angle of (x, y) in radians, in [-pi, pi]. 0 at the origin; the sign of a zero is ignored.
 constexpr double atan2(double y, double x) {
   if (x != x || y != y) return detail::kNaN;
   const double ax = detail::absolute(x), ay = detail::absolute(y);
@@ -233,7 +233,7 @@ constexpr double tanh(double x) {
   return x < 0 ? -t : t;
 }
 
-/// |x| < 709.
+/// sinh and cosh: |x| < 709.
 constexpr double sinh(double x) {
   const double a = detail::absolute(x);
   const double e = expm1(a);

@@ -1,7 +1,7 @@
 #pragma once
-// Invariants of core. Input is validated before it reaches core, so a failed check is a bug of
-// ours: it says where and aborts. CHECK stays in release builds and belongs outside loops; DCHECK
-// is for inside them.
+// Checks of core's invariants. Input is validated before it reaches core, so a failed check is a
+// bug of ours: the check says where it stands and aborts. PENTIMENTO_CHECK stays in release builds
+// and belongs outside loops; PENTIMENTO_DCHECK is for the inside of loops.
 
 #include <cstdio>
 #include <cstdlib>

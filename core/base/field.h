@@ -1,6 +1,7 @@
 #pragma once
-// One plane of values on the canvas grid: storage (Field) and window (FieldView). x is the fastest
-// index; rows start at 64-byte boundaries; row 0 is the top of the canvas. No arithmetic here.
+// One plane of values on the canvas grid: Field owns it, FieldView is a window on it. x is the
+// fastest index, rows start at 64-byte boundaries, row 0 is the top of the canvas. This file has no
+// arithmetic.
 
 #include <cstddef>
 #include <cstdint>
@@ -14,14 +15,14 @@
 
 namespace pentimento {
 
-/// A window on a plane: pointer, width, height, stride (in elements). Copies are shallow.
+/// A window on a plane: pointer, width, height, stride (in elements). A copy shows the same values.
 template <typename T>
 class FieldView {
  public:
   FieldView() = default;
   FieldView(T* data, int width, int height, std::ptrdiff_t stride)
       : data_(data), width_(width), height_(height), stride_(stride) {}
-  /// A view for reading, from one for writing.
+  /// Turns a view for writing into a view for reading.
   operator FieldView<const T>() const { return {data_, width_, height_, stride_}; }
 
   int width() const { return width_; }
@@ -31,7 +32,7 @@ class FieldView {
   T* row(int y) const { return data_ + static_cast<std::ptrdiff_t>(y) * stride_; }
   std::span<T> row_span(int y) const { return {row(y), static_cast<std::size_t>(width_)}; }
   T& operator()(int x, int y) const { return row(y)[x]; }
-  /// The part from (x0, y0), `width` x `height`, which must lie inside.
+  /// The part of `width` x `height` values from (x0, y0) on. It must lie inside the view.
   FieldView window(int x0, int y0, int width, int height) const {
     PENTIMENTO_CHECK(x0 >= 0 && y0 >= 0 && x0 + width <= width_ && y0 + height <= height_);
     return {row(y0) + x0, width, height, stride_};
@@ -44,7 +45,7 @@ class FieldView {
   std::ptrdiff_t stride_ = 0;
 };
 
-/// Owns one plane of plain values, zero at first. Move-only; `clone` copies.
+/// Owns one plane of plain values, which are zero at first. Move-only; clone() copies.
 template <typename T>
 class Field {
  public:

@@ -1,6 +1,6 @@
 #pragma once
-// Whether a row holds finite numbers only. On bits, without a branch per value, so that the check
-// over a whole state costs no more than reading it.
+// Finds out whether a row holds finite numbers only. It looks at bits, without a branch per value,
+// so a check of a whole state costs no more than reading the state.
 
 #include <bit>
 #include <cstdint>

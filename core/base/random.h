@@ -1,7 +1,7 @@
 #pragma once
-// Random numbers without a generator to share or to carry on: each is a function of what it is for,
-// of the stroke and of a counter. So the order of drawing, threads and stops cannot change them.
-// The mixing function is SplitMix64's (Steele, Lea, Flood, Fast Splittable Pseudorandom Number
+// Random numbers without a shared generator. Each number is a function of its purpose, of the
+// stroke and of a counter, so neither the order of drawing nor threads nor stops can change it. The
+// mixing function is SplitMix64's (Steele, Lea, Flood, Fast Splittable Pseudorandom Number
 // Generators, OOPSLA 2014; constants of Stafford's variant 13 as in Vigna's public reference).
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 #pragma once
-// The error type at the borders of formats, replay and cli (and of core's graphics context, the one
-// part of core that depends on the machine). Messages are one line, made for the user: the file,
-// the line or offset, the value and the limit.
+// The result of anything that can fail at the borders of formats, replay and cli, and of core's
+// graphics context, which is the one part of core that depends on the machine. A message is one
+// line for the user. It names the file, the line or offset, the value and the limit.
 
 #include <optional>
 #include <string>
@@ -22,12 +22,14 @@ enum class ErrorCode {
   kInterrupted  // exit 75: stopped by a signal
 };
 
+/// What went wrong; `message` as above.
 struct Error {
   ErrorCode code = ErrorCode::kBadInput;
   std::string message;
 };
 
 template <typename T>
+/// A value, or the error why there is none. Asking for the one that is not there aborts.
 class [[nodiscard]] Result {
  public:
   Result(T value) : state_(std::move(value)) {}

@@ -1,5 +1,5 @@
 #pragma once
-// Which cells a pass visits: runs of neighbouring cells of one row, all awake.
+// Runs: which cells a pass visits. A run is cells of one row side by side, all awake.
 
 #include <algorithm>
 #include <vector>
@@ -14,7 +14,7 @@ struct Run {
   int size() const { return x1 - x0; }
 };
 
-/// Calls body(run) for each run; bodies may write only what belongs to their own run.
+/// Calls body(run) for each run, on several threads. A body may write only what belongs to its run.
 template <typename Body>
 void for_runs(const Threads& threads, const std::vector<Run>& runs, const Body& body) {
   if (runs.empty()) return;
@@ -26,7 +26,7 @@ void for_runs(const Threads& threads, const std::vector<Run>& runs, const Body& 
                      });
 }
 
-/// The runs of a grid with half as many cells each way: what the given runs cover there.
+/// The runs that the given runs cover on a grid with half as many cells along each axis.
 std::vector<Run> coarsen_runs(const std::vector<Run>& fine);
 
 }  // namespace pentimento::conservative

@@ -1,6 +1,6 @@
 #pragma once
-// Parallel loops over rows. Which thread does which rows is left open, so a body may depend on
-// nothing but its own rows: results are the same for any number of threads.
+// Parallel loops over rows. It is left open which thread does which rows, so a body must depend on
+// its own rows alone. Then results are the same for any number of threads.
 
 #include <functional>
 #include <memory>
@@ -9,18 +9,18 @@ namespace pentimento {
 
 class Threads {
  public:
-  /// `count` threads, the calling one included; 0 = all the machine has.
+  /// `count` threads, the calling one included; 0: as many as the machine has.
   explicit Threads(int count = 1);
-  /// One thread that takes the smallest ranges from the last to the first: what depends on the
-  /// order shows. For tests.
+  /// For tests: one thread that takes the smallest ranges from the last to the first, so that a
+  /// result that depends on the order shows.
   static Threads backwards();
   ~Threads();
   Threads(Threads&&) noexcept;
   Threads& operator=(Threads&&) noexcept;
 
   int count() const;
-  /// Calls body(begin, end) on disjoint ranges that cover [begin, end). `grain_size` is the
-  /// smallest range worth handing out. Returns when all are done.
+  /// Calls body(begin, end) on disjoint ranges that cover [begin, end). `grain_size`, > 0, is the
+  /// smallest range worth a task. Returns when all ranges are done.
   void for_ranges(int begin, int end, int grain_size,
                   const std::function<void(int, int)>& body) const;
   /// Calls body(y) for each row y of [0, rows).

@@ -1,6 +1,7 @@
 #pragma once
 // Small vectors in core's frame: x to the right, y DOWN the canvas (row order), z out of the canvas
-// towards the viewer. Logs and dumps have y up for sensors and velocities; formats convert.
+// towards the viewer. In logs and dumps, y points up for sensors and velocities; the code in
+// formats converts.
 
 namespace pentimento {
 

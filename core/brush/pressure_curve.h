@@ -1,5 +1,5 @@
 #pragma once
-// How something follows the pressure: straight lines between points. A plain value.
+// How a factor follows the pressure: straight lines between points. A plain value.
 
 #include <array>
 
@@ -17,7 +17,8 @@ struct PressureCurve {
   std::array<PressurePoint, kMostCurvePoints> points{};
 
   bool empty() const { return count == 0; }
-  /// The value at a pressure, held before the first and after the last point; needs a point.
+  /// The value at a pressure. Before the first and after the last point it is that point's value.
+  /// The curve must have a point.
   float at(float pressure) const {
     if (!(pressure > points[0].pressure)) return points[0].value;
     for (int i = 1; i < count; ++i) {

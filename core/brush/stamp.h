@@ -1,5 +1,6 @@
 #pragma once
-// One placement of a brush tip on the canvas (R21): what a stroke's path hands to the transfer.
+// A stamp: one placement of the tip on the canvas (R21). The stroke's path makes it, the transfer
+// does it.
 
 #include <algorithm>
 #include <cstdint>
@@ -11,7 +12,7 @@ namespace pentimento {
 struct Stamp {
   double x_m = 0;  // centre on the canvas, from the top left, y down; may lie off the canvas
   double y_m = 0;
-  double time_s = 0;     // when on the stroke's path
+  double time_s = 0;     // in the time of the touch's samples
   float diameter_m = 0;  // > 0, of the unpressed brush
   float pressure = -1;   // 0..1; negative = the device has none
   float tilt_x_rad = 0;  // as W3C pointer events: positive = towards +x

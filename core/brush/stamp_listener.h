@@ -1,5 +1,5 @@
 #pragma once
-// Whoever does each stamp again on a canvas of its own.
+// The interface of anything that does each stamp again on a canvas of its own.
 
 #include "core/brush/stamp_plan.h"
 #include "core/canvas/canvas_state.h"
@@ -9,10 +9,12 @@ namespace pentimento {
 class StampListener {
  public:
   virtual ~StampListener() = default;
-  /// Once per stamp, just before it lays: the paint has been lifted from `canvas`, whose layers and
-  /// stroke ids are still those before; `plan.reservoir` is what will be sampled.
+  /// Called once per stamp, after the paint has been picked up from `canvas` and before any is
+  /// deposited. The layers and stroke ids of `canvas` are still those before the stamp;
+  /// `plan.reservoir` is what the stamp will sample.
   virtual void before_deposit(const StampPlan& plan, const CanvasState& canvas) = 0;
-  /// The stamp has laid its paint, if it had any; `plan.reservoir` still is what was sampled.
+  /// Called after the stamp has deposited its paint, if it had any. `plan.reservoir` is still what
+  /// the stamp sampled.
   virtual void after_deposit(const StampPlan& plan, const CanvasState& canvas) = 0;
 };
 

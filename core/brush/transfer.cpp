@@ -35,13 +35,14 @@ constexpr float kLeastRelief_m = 2e-5f;  // a smooth ground catches a dry brush 
 constexpr int kRowsPerTask = 8;
 constexpr int kCellsWorthThreads = 3000;  // some 0.2 ms of work; handing out rows costs 10 us
 
-/// 1 for a slow stroke; a fast one passes over what is below.
+/// 1 for a slow stroke, more for a fast one, which passes over the hollows.
 float speed_factor(const Stamp& stamp) {
   const Vec2f v = stamp.velocity_m_s;
   return 1 + std::sqrt(v.x * v.x + v.y * v.y) / (kSlowing_per_s * stamp.diameter_m);
 }
 
-/// What is left of the film as the brush dries: bristles that still give do not give much less.
+/// Share of the film that the brush still lays as it dries. Below kDryFilm it falls slowly, for
+/// bristles that still give paint do not give much less.
 float wet_film(float density_frac) {
   if (density_frac >= kDryFilm) return density_frac;
   return kDryFilm * std::sqrt(density_frac / kDryFilm);
@@ -78,6 +79,7 @@ Transfer::Transfer(CanvasState& state, BrushContact& contact, PaintAccount& acco
 void Transfer::apply(const Stamp& stamp, const BrushInHand& hand, const Model& model,
                      Reservoir& reservoir) {
   if (!(hand.tip.mean() > 0) || !(stamp.travel_m >= 0)) return;
+  // Where the tip is, and how strongly it acts: all that is the same for every cell.
   StampPlan plan;
   place(stamp, hand, reservoir, plan);
   if (plan.box.empty()) return;
@@ -86,15 +88,21 @@ void Transfer::apply(const Stamp& stamp, const BrushInHand& hand, const Model& m
   prepare(plan.box, plan.stride);
   footprint_.draw_cells(plan, cell_size_m(state_.geometry));
 
+  // What lies under the tip; from that, how far down the bristles reach.
   for_rows(plan, &Transfer::measure_rows);
   find_heights(hand, plan);
+  // The canvas gives paint to the brush (R23), the palette refills it (R22).
   for_rows(plan, &Transfer::pick_up_rows);
   pick_up_and_refill(plan, hand, reservoir);
+  // Levelling must not change how much the stamp lays.
   const bool deposits = find_share_scale(plan);
   if (listener_ != nullptr) listener_->before_deposit(plan, state_);
   if (!deposits) return;
+  // The brush gives paint to the canvas (R25), layers mix (R28), the fluid learns of the contact
+  // (R17).
   for_rows(plan, &Transfer::deposit_rows);
   if (listener_ != nullptr) listener_->after_deposit(plan, state_);
+  // The brush loses its surplus and dries (R24).
   return_surplus(plan, hand, reservoir);
 }
 
@@ -115,7 +123,8 @@ void Transfer::place(const Stamp& stamp, const BrushInHand& hand, const Reservoi
   plan.stroke_id = hand.stroke_id;
 }
 
-/// How much the stamp lifts, lays, mixes and pushes, from sliders, pressure and distance.
+/// Fills in the plan how much the stamp picks up, deposits, mixes and pushes. That follows from the
+/// sliders, the pressure and the distance that the stamp stands for.
 void Transfer::set_rates(const Stamp& stamp, const BrushInHand& hand, const Model& model,
                          const Reservoir& reservoir, StampPlan& plan) const {
   const BrushSettings& settings = hand.settings;
@@ -144,6 +153,7 @@ void Transfer::set_rates(const Stamp& stamp, const BrushInHand& hand, const Mode
   plan.level_per_m = model.contact_levelling * levelling(reservoir.density_frac) /
                      (model.film_medium_m * settings.medium_frac + kWeaveReach_m);
   plan.push_m = model.brush_push * stamp.travel_m;
+  // A blade takes what stands above its edge, whatever the pressure.
   if (brush.scrapes) {
     plan.pick_up.share_frac = 1;  // stamp_pick_up_weight() says how much
     plan.pick_up.penetration_frac = -1;
@@ -151,8 +161,8 @@ void Transfer::set_rates(const Stamp& stamp, const BrushInHand& hand, const Mode
   }
 }
 
-/// Heights under the tip: their mean; what a dry or light brush reaches of them; and where the edge
-/// of a blade is.
+/// Fills in the plan the mean of the heights under the tip, and which of them the brush reaches:
+/// where a blade's edge is, or how deep the bristles of a dry or light brush come.
 void Transfer::find_heights(const BrushInHand& hand, StampPlan& plan) const {
   double value = 0, height = 0, square = 0, base = 0;
   for (int y = 0; y < plan.box.height; ++y) {
@@ -181,8 +191,9 @@ void Transfer::find_heights(const BrushInHand& hand, StampPlan& plan) const {
   plan.catch_offset = reach + plan.catch_per_m * std::max(0.0f, wet_m - kCarries_m);
 }
 
-/// Levelling only redistributes. Whole on the canvas, the tip lays its exact total; cut by the
-/// border, what its cells say. False if nothing can be laid.
+/// Finds the factor that keeps levelling from changing the stamp's total. If the whole tip is on
+/// the canvas, the total is that of the tip; if the border cuts the tip, it is the sum over its
+/// cells. Returns false if nothing can be deposited.
 bool Transfer::find_share_scale(StampPlan& plan) const {
   double value = 0, share = 0;
   for (int y = 0; y < plan.box.height; ++y) {
@@ -235,7 +246,7 @@ void Transfer::for_rows(const StampPlan& plan, void (Transfer::*pass)(const Stam
   });
 }
 
-/// The tip's value per cell, and what the canvas is like under it.
+/// Measures the tip's value in each cell, and the heights of the canvas under the tip.
 void Transfer::measure_rows(const StampPlan& plan, int begin, int end) {
   const BristleTable& grip = plan.tip->grip_table();
   for (int y = begin; y < end; ++y) {
@@ -287,7 +298,8 @@ std::span<double> Transfer::strip_sums(int y) {
   return {row_paint_.data() + static_cast<std::size_t>(y) * parts_, parts_};
 }
 
-/// Contact levelling (A22): less on bumps, more in hollows; and the lift.
+/// Contact levelling (A22): the stamp will deposit less on bumps and more in hollows. Then the
+/// paint is picked up (R23).
 void Transfer::pick_up_rows(const StampPlan& plan, int begin, int end) {
   for (int y = begin; y < end; ++y) {
     const TouchedRun strip = strip_of(plan, y);
@@ -316,7 +328,7 @@ void Transfer::pick_up_rows(const StampPlan& plan, int begin, int end) {
   }
 }
 
-/// The lifted paint arrives in the brush, and the palette's paint with it (R22).
+/// The picked up paint arrives in the reservoir, and the palette's paint with it (R22).
 void Transfer::pick_up_and_refill(const StampPlan& plan, const BrushInHand& hand,
                                   Reservoir& reservoir) {
   add_to(plan, account_.picked_up);
@@ -329,7 +341,7 @@ void Transfer::pick_up_and_refill(const StampPlan& plan, const BrushInHand& hand
                    refill_share(plan.stamp, hand.brush, hand.settings, plan.pose));
 }
 
-/// Lays the film and the surplus, mixes the layers, marks the contact.
+/// Deposits the film and the surplus, mixes the layers, marks the contact.
 void Transfer::deposit_rows(const StampPlan& plan, int begin, int end) {
   for (int y = begin; y < end; ++y) {
     const TouchedRun strip = strip_of(plan, y);
@@ -362,7 +374,8 @@ void Transfer::deposit_rows(const StampPlan& plan, int begin, int end) {
   }
 }
 
-/// Keeps the books, takes the surplus that was laid out of the brush, and dries the brush (R24).
+/// Adds to the account, takes out of the reservoir the surplus that was deposited, and dries the
+/// brush (R24).
 void Transfer::return_surplus(const StampPlan& plan, const BrushInHand& hand,
                               Reservoir& reservoir) {
   add_to(plan, account_.deposited);
@@ -388,7 +401,7 @@ void Transfer::return_surplus(const StampPlan& plan, const BrushInHand& hand,
                                                   (hand.brush.capacity * plan.pose.diameter_m));
 }
 
-/// The rows' sums in their order, into `paint_sum_` and, as volumes, into a flow.
+/// Adds the sums of the rows, in the order of rows: into `paint_sum_` and, as volumes, into `flow`.
 void Transfer::add_to(const StampPlan& plan, PaintFlow& flow) {
   std::fill(paint_sum_.begin(), paint_sum_.end(), 0.0);
   for (int y = 0; y < plan.box.height; ++y)

@@ -1,8 +1,9 @@
 #pragma once
-// One stamp: paint goes from the canvas to the brush and from the brush to the canvas (R21-R28),
-// and the fluid learns where the brush was. Order: lift, refill, lay, mix, contact. Works only on
-// the cells under the tip and allocates nothing once its scratch has grown to the largest stamp.
-// Not thread-safe; rows of a large stamp run on `threads`, sums are added in row order.
+// The transfer at one stamp: paint goes from the canvas to the brush and from the brush to the
+// canvas (R21-R28), and the fluid learns where the brush was. Order: pick up, refill, deposit, mix,
+// contact. The transfer works only on the cells under the tip and allocates nothing once its
+// scratch has grown to the largest stamp. Not thread-safe; the rows of a large stamp run on
+// `threads`, and sums are added in the order of rows.
 
 #include <cstdint>
 #include <span>
@@ -37,13 +38,15 @@ struct BrushInHand {
 
 class Transfer {
  public:
-  /// All references outlive the transfer; `amount` as in LayerRow.
+  /// All references must outlive the transfer. `amount`: as in LayerRow.
   Transfer(CanvasState& state, BrushContact& contact, PaintAccount& account,
            std::span<const float> amount, const Threads& threads);
 
-  /// Told of every stamp from now on; nullptr: nobody. Outlives the transfer.
+  /// `listener` is told of every stamp from now on; nullptr: nobody is. It must outlive the
+  /// transfer.
   void set_listener(StampListener* listener) { listener_ = listener; }
 
+  /// Does one stamp on the canvas and on `reservoir`.
   void apply(const Stamp& stamp, const BrushInHand& hand, const Model& model, Reservoir& reservoir);
 
  private:
@@ -98,7 +101,7 @@ class Transfer {
   std::vector<float> share_;           // the same after contact levelling
   std::vector<float> hold_;            // how hard the bristles hold, [0,2] per cell
   std::vector<float> pick_up_weight_;  // of a blade: what pick_up_row() takes
-  std::vector<float> paint_;           // lifted, then laid: `stride` floats per cell
+  std::vector<float> paint_;           // picked up, then deposited: `stride` floats per cell
   std::vector<double> row_paint_;      // `parts_` per row
   std::vector<double> paint_sum_;
   std::vector<RowSums> row_;

@@ -1,6 +1,6 @@
 #pragma once
-// A canvas of any size, read by runs of cells: what shading, dumps and comparisons need of it,
-// whether its planes are dense (StateSource), in tiles, or in a file. Read only. Every function may
+// A canvas of any size, for reading, run by run of cells. Shading, dumps and comparisons use this
+// interface, whether the planes are dense (StateSource), in tiles, or in a file. Every function may
 // be called from several threads at once.
 
 #include <cstdint>
@@ -35,7 +35,7 @@ inline PlaneId pigment_plane(int layer, int channel) {
   return {PlaneKind::kPigment, channel, layer};
 }
 
-/// A part of the grid, in cells; may reach over its edges.
+/// A part of the grid, in cells. It may reach beyond the grid's edges.
 struct CellWindow {
   int x = 0;
   int y = 0;
@@ -51,24 +51,26 @@ class CanvasSource {
   virtual int channels() const = 0;
   virtual int bands() const = 0;
   virtual std::int64_t step() const = 0;
-  /// Cells x .. x + out.size() - 1 of row y, all of them on the grid.
+  /// Reads the cells x .. x + out.size() - 1 of row y, all of them on the grid. Units: those of
+  /// PlaneKind.
   virtual void read(PlaneId plane, int x, int y, std::span<float> out) const = 0;
   virtual void read_strokes(int x, int y, std::span<std::uint32_t> out) const = 0;
-  /// True only if depth, velocity and all pigments are 0 in the whole of `window` (on the grid): a
-  /// reader may then leave them out. False promises nothing.
+  /// True only if depth, velocity and all pigments are 0 in the whole of `window`, which lies on
+  /// the grid. A reader may then leave these cells out. False promises nothing.
   virtual bool empty(const CellWindow& window) const {
     static_cast<void>(window);
     return false;
   }
-  /// Ok, or why a read() could not be done; it gave zeros then.
+  /// Ok, or the reason why a read() failed. A read() that failed gave zeros.
   virtual Result<void> status() const { return {}; }
 };
 
-/// The plane of the state that `plane` names; its layer, channel and band exist.
+/// The plane of `state` that `plane` names. Its layer, channel or band must exist.
 Field<float>& plane_of(CanvasState& state, PlaneId plane);
 const Field<float>& plane_of(const CanvasState& state, PlaneId plane);
 
-/// Dense planes. `state` outlives it and does not change while it is read.
+/// The dense planes of a state. `state` must outlive the source and must not change while it is
+/// read.
 class StateSource final : public CanvasSource {
  public:
   explicit StateSource(const CanvasState& state) : state_(state) {}

@@ -1,6 +1,6 @@
 #pragma once
-// Everything the simulation knows of a canvas at one moment (R1, R2). A plain bundle of planes:
-// who changes what is decided by fluid/, brush/ and layers/. Not thread-safe.
+// The state: everything that the simulation knows of a canvas at one moment (R1, R2). It is a plain
+// bundle of planes; the code in fluid/, brush/ and layers/ changes them. Not thread-safe.
 
 #include <cstdint>
 #include <vector>
@@ -36,9 +36,9 @@ struct CanvasState {
   Field<std::uint32_t>
       stroke;             // id of the last stroke that touched the cell or ran onto it, 0 = none
   std::int64_t step = 0;  // simulation steps done so far
-  // Which tiles of the conservative scheme sleep, and since which gravity (its sleep_tiles.h): part
-  // of the state and of a dump. Empty = all awake: whoever changes planes by anything but a stamp
-  // (drying, loading an image, clearing) empties it.
+  // Which tiles of the conservative scheme sleep, and at which gravity they fell asleep
+  // (sleep_tiles.h). Part of the state and of a dump. Empty: all tiles are awake. Code that changes
+  // planes by anything but a stamp (drying, loading an image, clearing) must empty it.
   std::vector<float> sleep;
 
   Field<float>& channel(int layer, int c) { return pigment[plane_index(layer, c)]; }

@@ -1,9 +1,9 @@
 #pragma once
-// A rectangle of cells of a grid, and the axes along which it is walked.
+// A rectangle of cells of a grid, and the axes of the grid.
 
 namespace pentimento {
 
-/// Along rows, x, or along columns, y.
+/// kX: along rows. kY: along columns.
 enum class Axis { kX, kY };
 
 /// Cells [x0, x1) x [y0, y1).

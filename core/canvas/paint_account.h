@@ -1,8 +1,8 @@
 #pragma once
-// The books of the paint: what the brush laid and lifted, what dried. Together with what is wet on
-// the canvas they must balance: deposited - picked up - dried = wet (R25, A20). Sums are doubles in
-// a fixed order; a canvas that was restored counts as deposited. Volumes in m^3 for medium; amount
-// times m^2 for each channel.
+// The account of the paint: what the brush deposited and picked up, and what dried. It must balance
+// with the wet paint on the canvas: deposited - picked up - dried = wet (R25, A20). Sums are
+// doubles in a fixed order. A canvas that was restored counts as deposited. The medium is in m^3,
+// each channel in amount times m^2.
 
 #include <vector>
 

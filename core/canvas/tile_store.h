@@ -1,7 +1,8 @@
 #pragma once
-// Memory for the tiles of a large canvas: buffers of floats of one size, in anonymous memory or in
-// a file that the kernel may write out (it has no name, so nothing is left behind). Buffers keep
-// their address until freed. All but trim() may be called from several threads at once.
+// Memory for the tiles of a large canvas: buffers of floats, all of one size. They lie in anonymous
+// memory, or in a file to which the operating system may move them; the file has no name, so
+// nothing is left behind. A buffer keeps its address until it is freed. All functions but trim()
+// may be called from several threads at once.
 
 #include <atomic>
 #include <cstddef>
@@ -18,38 +19,43 @@ namespace pentimento {
 struct TileStoreOptions {
   std::size_t buffer_floats = 128 * 128;
   std::string scratch;              // a folder; empty: anonymous memory
-  std::int64_t resident_bytes = 0;  // what trim() leaves of a scratch file in memory; 0 = all
+  std::int64_t resident_bytes = 0;  // how much of it trim() leaves in memory; 0 = all
 };
 
 class TileStore {
  public:
   using Buffer = std::uint32_t;
 
-  /// Nothing is reserved before the first allocate(). Errors: kIo (the folder takes no file).
+  /// Opens a store. It reserves nothing before the first allocate(). Errors: kIo (the folder takes
+  /// no file).
   static Result<std::unique_ptr<TileStore>> open(const TileStoreOptions& options);
   ~TileStore();
   TileStore(const TileStore&) = delete;
   TileStore& operator=(const TileStore&) = delete;
 
-  /// A buffer of zeros, touched. Its space is reserved here, so that no later write can fail.
-  /// Errors: kLimit (no memory), kIo (the disk of the scratch folder is full or fails).
+  /// A buffer of zeros, which counts as used now. Its space is reserved here, so that no later
+  /// write can fail. Errors: kLimit (no memory), kIo (the disk of the scratch folder is full or
+  /// fails).
   Result<Buffer> allocate();
-  /// Gives back the buffer's memory, in a scratch file its disk too; the buffer may come again.
+  /// Gives back the buffer's memory, and in a scratch file its space on the disk. allocate() may
+  /// give the same buffer again.
   void free(Buffer buffer);
-  /// buffer_floats floats, at the start of a page.
+  /// The buffer's floats, TileStoreOptions::buffer_floats of them. They start at a page.
   float* data(Buffer buffer) const;
 
   /// Notes that the buffer is in use now.
   void mark_used(Buffer buffer);
-  /// Gives back the memory of the buffers that were touched longest ago (between two calls of trim
-  /// all count as equally long ago) until resident_bytes are held. Their values stay, in the file.
-  /// Call it while no thread works on buffers. Without scratch or budget it does nothing.
+  /// Gives back memory until only resident_bytes are held, beginning with the buffers that were
+  /// used longest ago. Buffers used between the same two calls of trim() count as equally old.
+  /// Their values stay in the file. Call it while no thread works on buffers. Without a scratch
+  /// folder or a budget it does nothing.
   void trim();
 
   std::int64_t buffers() const { return used_.load(); }
-  /// Of all buffers, wherever they are.
+  /// Bytes of all buffers, wherever they are.
   std::int64_t bytes() const { return used_.load() * static_cast<std::int64_t>(stride_); }
-  /// Of the buffers that count as held in memory: touched since they were given back.
+  /// Bytes of the buffers that count as held in memory: those used since their memory was given
+  /// back.
   std::int64_t held_bytes() const { return held_.load() * static_cast<std::int64_t>(stride_); }
 
  private:

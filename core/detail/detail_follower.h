@@ -1,6 +1,7 @@
 #pragma once
-// The detail canvas in step with the guide: the same stamps, the same flow, locked after each step.
-// The guide does not know of it, so a log has one trajectory, whatever the output's size.
+// The detail follower does on the detail canvas what happens on the guide: the same stamps, the
+// same flow, and the lock after each step. The guide does not depend on it, so a log gives one
+// sequence of states, whatever the output's size.
 
 #include <cstdint>
 #include <vector>
@@ -29,7 +30,8 @@ struct DetailFollowerSetup {
 
 class DetailFollower : public CanvasListener {
  public:
-  /// `substrate`, `store` (DetailLayout::side() squared floats a buffer) and `threads` outlive it.
+  /// `substrate`, `store` and `threads` must outlive the follower. A buffer of `store` has
+  /// DetailLayout::side() squared floats.
   DetailFollower(DetailFollowerSetup setup, const DetailSubstrate& substrate, TileStore& store,
                  const Threads& threads);
 
@@ -43,14 +45,15 @@ class DetailFollower : public CanvasListener {
   void cleared() override;
   void restored(const CanvasState& guide) override;
 
-  /// The canvas is clear and becomes one that was dumped: its planes, what its refinement's
-  /// checkpoint() said then, and the guide that goes with them. As if nothing had happened.
+  /// Goes on from a dump, as if the replay had never stopped. `fine`: the planes of the detail
+  /// canvas; `checkpoint`: the result of checkpoint() at the dump; `guide`: the guide's state at
+  /// the dump. The detail canvas must be clear.
   void resume(const CanvasSource& fine, const DetailCheckpoint& checkpoint,
               const CanvasState& guide);
-  /// What canvas() does not tell, once its stamps are finished.
+  /// All that a dump needs beside the planes of canvas(). Call finish_stamps() first.
   DetailCheckpoint checkpoint() const;
 
-  /// Does what still waits to be done: from then on canvas() has every stamp.
+  /// Does the queued stamps, so that canvas() has every stamp.
   void finish_stamps() { stamp_.finish(); }
   const DetailCanvas& canvas() const { return canvas_; }
   const LockStatistics& lock_statistics() const { return lock_.statistics(); }
@@ -67,10 +70,11 @@ class DetailFollower : public CanvasListener {
   DetailStamp stamp_;
   Lock lock_;
   PaintEdges edges_;
-  ChangedBlocks changed_;  // since the last lock, and their neighbours
+  ChangedBlocks changed_;  // blocks changed since the last lock, and their neighbours
   ReleasedBlocks released_;
-  ChangedBlocks moving_;  // in this part of a step
-  // When each tile was last locked; tiles locked since they were last looked through.
+  ChangedBlocks moving_;  // blocks where paint moves in this part of a step
+  // In which step each tile was last locked; tiles locked since they were last searched for planes
+  // to free.
   std::int64_t steps_ = 0;
   std::vector<std::int64_t> locked_;
   std::vector<int> idle_;

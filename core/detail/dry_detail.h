@@ -8,8 +8,8 @@
 
 namespace pentimento {
 
-/// Per fine cell what dry_canvas() does per cell of the guide: b += d, the reflectance becomes that
-/// of the wet layers over it; the wet planes of all tiles are freed.
+/// Does in each fine cell what dry_canvas() does in each cell of the guide: b += d, and the
+/// reflectance becomes that of the wet layers over it. Then it frees the wet planes of all tiles.
 void dry_detail(DetailCanvas& canvas, const ChannelBasis& basis, const Model& model,
                 const Threads& threads);
 

@@ -1,6 +1,6 @@
 #pragma once
-// The kernels of this folder work through a row in packets, plane by plane: planes are contiguous
-// along x, so the loops over a packet are loops over vectors.
+// Packets: the kernels of this folder work through a row packet by packet, plane by plane. Planes
+// are contiguous along x, so a loop over a packet is a loop over vectors.
 
 #include <algorithm>
 #include <array>
@@ -18,12 +18,12 @@ struct PacketTotals {
   int count = 0;
 
   void find(const LayerRow& row, int first, int cells);
-  /// Per cell, one more than its LayerRow::top: how many layers it has, counting empty ones below.
-  /// Returns the most.
+  /// Finds how many layers each cell has, empty ones below its top included: LayerRow::top() + 1.
+  /// Returns the largest of these numbers.
   int find_occupied(int layers, std::array<int, kPacketCells>& occupied) const;
 };
 
-/// Share of the bottom layer that may leave the paper: all but the residue (R19).
+/// Share of the bottom layer that is free: all but the residue (R19). `total`: amount in the layer.
 inline float free_share(float total, float residue) {
   return total > residue ? (total - residue) / total : 0.0f;
 }

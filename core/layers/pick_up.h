@@ -1,5 +1,5 @@
 #pragma once
-// The brush lifts wet paint off the canvas (R22, R23).
+// The brush picks up wet paint from the canvas (R22, R23).
 
 #include <span>
 
@@ -7,7 +7,7 @@
 
 namespace pentimento {
 
-/// How a stamp lifts. `share_frac` is of the paint in a layer that the brush reaches fully.
+/// How a stamp picks up. `share_frac`: share of the paint in a layer that the bristles reach fully.
 struct PickUp {
   float share_frac = 0;  // where the tip's weight is 1
   float penetration_frac =
@@ -15,10 +15,11 @@ struct PickUp {
   float residue = 0;  // amount of pigment of the bottom layer that stays on the paper (R19)
 };
 
-/// R23: how far the bristles come into layer `layer` of `occupied`, the topmost first. 0..1.
+/// R23: how far the bristles reach into layer `layer` of `occupied` layers, 0..1. They reach the
+/// topmost first.
 float penetration_weight(float penetration_frac, int layer, int occupied);
 
-/// Lifts from the cells of a row.
+/// Picks up paint from the cells of a row.
 ///   P_k -= f w_k P_k,  d -= f mean(w_k) d,  f = min(1, share weight)
 ///   lifted[x] = (height, channels) that left; sums = the same over the row, in double: exactly
 ///   what the planes lost (height first)
@@ -28,7 +29,7 @@ float penetration_weight(float penetration_frac, int layer, int occupied);
 /// `weight`, `depth_m`: one value per cell; `picked_up`: `stride` floats per cell.
 void pick_up_row(const PickUp& pick_up, const LayerRow& row, std::span<const float> weight,
                  float* depth_m, float* picked_up, int stride, std::span<double> sums);
-/// The same, for whoever does not ask what was lifted.
+/// The same for callers that do not need what was picked up.
 void pick_up_row(const PickUp& pick_up, const LayerRow& row, std::span<const float> weight,
                  float* depth_m);
 

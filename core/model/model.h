@@ -1,17 +1,17 @@
 #pragma once
-// The parameters of the simulation: the paper's Table 1 and the chosen readings of what it leaves
-// open. Plain numbers in SI; no behaviour. A log's header sets them under the names of the fields
-// without their unit suffix (docs/action-log.md has unit, range, default and reason of each).
+// The parameters of the simulation: the paper's Table 1, and the chosen readings of what the paper
+// leaves open. Plain numbers in SI units, no behaviour. A log's header sets them by the names of
+// these fields without the unit (docs/action-log.md has unit, range, default and reason of each).
 
 #include "core/model/viewing.h"
 
 namespace pentimento {
 
 enum class SchemeKind { kPaper, kConservative };
-/// What optical thickness follows (A28): the amount of pigment, or the depth of the film.
+/// Whether optical thickness follows the amount of pigment or the depth of the film (A28).
 enum class OpticalThickness { kAmount, kDepth };
 
-/// Paint layers of a cell at most: kernels keep that many on their stacks.
+/// The most layers that a cell can have. Kernels keep that many on their stacks.
 inline constexpr int kMaxLayers = 8;
 
 struct Model {

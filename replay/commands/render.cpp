@@ -28,7 +28,7 @@ Lighting first_lighting(LogSession& session) {
   return lighting;
 }
 
-/// One replay in progress, from the first step to the closing report.
+/// One replay, from the first step to the closing report.
 class Replay {
  public:
   Replay(const RenderJob& job, LogSession& session, const Control& control, Stopwatch& watch)
@@ -62,10 +62,10 @@ class Replay {
   OutputSet outputs_;
   LightingTrack lighting_;
   LightOverride light_;
-  std::vector<std::vector<PlannedOutput>> files_;  // per stop
+  std::vector<std::vector<PlannedOutput>> files_;  // for each stop
   std::int64_t first_step_ = 0;
   std::unique_ptr<Simulation> simulation_;
-  std::unique_ptr<ReplayDetail> fine_;  // none at detail 1
+  std::unique_ptr<ReplayDetail> fine_;  // empty at detail 1
   std::unique_ptr<Timeline> timeline_;
   std::unique_ptr<Hand> hand_;
   std::unique_ptr<Player> player_;
@@ -86,9 +86,12 @@ bool any_state(const std::vector<PlannedOutput>& files) {
 }
 
 Result<JobReport> Replay::run() {
+  // Everything is made before the first step, ...
   if (Result<void> begun = begin(); !begun) return begun.error();
+  // ... the log is replayed from stop to stop, ...
   if (Result<void> played = play(); !played) return played.error();
   if (Result<void> go = control_.go_on(); !go) return go.error();
+  // ... and only then do the finished files get their names.
   watch_.start("publish");
   Result<std::vector<WrittenFile>> written = outputs_.publish();
   if (!written) return written.error();
@@ -97,7 +100,8 @@ Result<JobReport> Replay::run() {
   return std::move(report_);
 }
 
-/// Why a direct simulation is another painting; empty if it runs on the log's grid.
+/// Says why a direct simulation gives another painting than the log's. Empty if it runs on the
+/// log's grid.
 std::string other_painting(const LogSession& session) {
   const CanvasGeometry &a = session.grid, &b = session.canvas;
   if (a.width == b.width && a.height == b.height) return {};
@@ -106,6 +110,7 @@ std::string other_painting(const LogSession& session) {
 }
 
 Result<void> Replay::begin() {
+  // What is to be written, at which stop.
   report_.other_painting = other_painting(session_);
   Result<std::vector<std::vector<PlannedOutput>>> files =
       plan_outputs(job_.picture.outputs, job_.stops);
@@ -118,14 +123,17 @@ Result<void> Replay::begin() {
   }
   files_ = std::move(*files);
   watch_.start("prepare");
+  // The light that the options ask for.
   Result<LightOverride> light = LightOverride::make(job_.light);
   if (!light) return light.error();
   light_ = std::move(*light);
+  // The guide: the simulation on the log's grid, fresh or as a dump left it.
   Result<std::unique_ptr<Simulation>> simulation = make_simulation(session_, threads_);
   if (!simulation) return simulation.error();
   simulation_ = std::move(*simulation);
   first_step_ = simulation_->state().step;
   if (session_.detail > 1) {
+    // The detail canvas, which follows the guide.
     ReplayDetailSetup setup{session_.detail, job_.scratch, 0, {}};
     if (!job_.scratch.empty()) setup.resident_bytes = resident_budget(job_, session_);
     setup.start = std::exchange(session_.detail_start, {});
@@ -134,6 +142,7 @@ Result<void> Replay::begin() {
     if (!fine) return fine.error();
     fine_ = std::move(*fine);
   }
+  // The log's events in time, the hand that does them, and the player who lets time pass.
   const TimelineInput input{session_.plan.undo, session_.brushes, session_.plan.stepped,
                             last_stroke_id(simulation_->state()) + 1};
   timeline_ = std::make_unique<Timeline>(*session_.reader, input);
@@ -144,7 +153,7 @@ Result<void> Replay::begin() {
   return {};
 }
 
-/// Visits the stops in the order of the replay.
+/// Visits the stops in the order of time, whatever order the options gave.
 Result<void> Replay::play() {
   std::vector<std::size_t> order(files_.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -166,6 +175,7 @@ Result<void> Replay::play_to_stop(std::size_t stop) {
   Result<void> played =
       stops.empty() ? player_->play_all(session_.plan.steps) : player_->play_to(stops[stop]);
   if (!played) return played;
+  // The paint comes to rest, if asked.
   if (Result<void> rested = player_->settle(job_.settle_s ? session_.steps : player_->steps());
       !rested)
     return rested;
@@ -196,15 +206,19 @@ Origin Replay::origin(const Lighting& lighting) const {
 
 Result<void> Replay::write(const std::vector<PlannedOutput>& files) {
   watch_.start("hash");
+  // The hashes that every output carries.
   const CanvasView view = make_canvas_view(*simulation_, fine_.get(), session_.detail);
   report_.guide_sha256 = state_sha256(simulation_->state());
   report_.state_sha256 =
       view.detail > 1 ? state_sha256(*view.canvas, threads_) : report_.guide_sha256;
+  // The light at this moment: the log's, then what the options change, then lamps fixed in the
+  // room.
   if (Result<void> looked = lighting_.look(player_->steps()); !looked) return looked;
   Lighting lighting = clone_lighting(lighting_.lighting());
   light_.apply(lighting);
   const log::Gravity gravity = session_.gravity.value_or(lighting_.gravity());
   for (Lamp& lamp : lighting.lamps) fix_lamp(lamp, gravity);
+  // Pictures, then dumps.
   const Scene scene{*view.canvas, simulation_->basis(), simulation_->model(), lighting};
   const Origin from = origin(lighting);
   if (Result<void> shaded = outputs_.add_pictures(files, scene, from); !shaded) return shaded;
@@ -257,8 +271,10 @@ Result<JobReport> render(const RenderJob& job, const Control& control) {
   if (job.settle_s && job.stops.size() > 1) {
     return Error{ErrorCode::kUsage, "--settle goes with at most one --at"};
   }
+  // Reads the log once to check it, and opens what it names.
   Result<LogSession> session = open_session(job, control);
   if (!session) return session.error();
+  // Refuses what would not fit in memory before anything is computed.
   Result<PaintSurvey> survey = PaintSurvey{};
   if (session->detail > 1)
     survey = survey_paint(*session, DetailCost(), control);  // else nothing follows it

@@ -11,7 +11,7 @@ namespace pentimento {
 namespace {
 constexpr int kLinesPerTask = 16;
 
-/// Moves single lines of one run; keeps its buffers.
+/// Moves single lines of a run. The buffers are kept from line to line.
 class LineMover {
  public:
   LineMover(DetailCanvas& canvas, const PaintEdges& edges, const DetailAdvection& move)
@@ -25,8 +25,10 @@ class LineMover {
   }
 
   void move(int line) {
+    // The guide's motion along this line; a line without motion stays.
     if (!find_edges(line)) return;
     const std::size_t blocks = at(run_->length());
+    // Pieces of the line that move, each by itself: depth, then the channels of each layer.
     for (std::size_t from = 0; from < blocks; ++from) {
       if (blended_[from + 1] == 0) continue;
       std::size_t to = from + 1;
@@ -39,7 +41,8 @@ class LineMover {
   }
 
  private:
-  /// The guide's edges along the line. False if none moves.
+  /// Finds how far the guide's edges go along the line, between two rows of the guide. False if
+  /// none moves.
   bool find_edges(int line) {
     const float across = (static_cast<float>(line) + 0.5f) / static_cast<float>(k_) - 0.5f;
     const int low = across < 0 ? -1 : static_cast<int>(across);
@@ -50,14 +53,15 @@ class LineMover {
     return blend_edges(a_, b_, across - static_cast<float>(low), blended_);
   }
 
-  /// Blocks [from, to), whose two ends and what lies behind them stand still: parts of a line that
-  /// lie far apart are moved each by itself.
+  /// Takes the blocks [from, to) of the line as the part to move. The edges at both ends stand
+  /// still, so the parts of a line do not touch one another.
   void take_part(std::size_t from, std::size_t to) {
     part_.assign(blended_.begin() + static_cast<std::ptrdiff_t>(from),
                  blended_.begin() + static_cast<std::ptrdiff_t>(to) + 1);
     begin_ = static_cast<int>(from) * k_;
     const std::size_t cells = (to - from) * at(k_);
     position_.resize(cells + 1);
+    // Where the fine edges go, and from which fine cells each cell is then made.
     place_edges(part_, k_, position_);
     find_sources(position_, sources_);
     value_.resize(cells + 2);
@@ -67,8 +71,8 @@ class LineMover {
     scratch_.resize(cells + 1);
   }
 
-  /// Rows of the guide before the run's first, and from it to the guide's last: edges are read
-  /// beyond the run.
+  /// How many rows the guide has before the run's first row, and how many from that row on: edges
+  /// are read beyond the run.
   int before_run() const { return run_->axis == Axis::kX ? run_->box.y0 : run_->box.x0; }
   int behind_run() const {
     const CanvasGeometry& g = canvas_.layout().guide();
@@ -117,7 +121,7 @@ class LineMover {
     }
   }
 
-  /// The share of layer 0 that may leave the paper.
+  /// Finds the share of layer 0 that may leave the paper (R19).
   void find_share(int line) {
     std::fill(share_.begin(), share_.end(), 0.0f);
     for (int c = 0; c < canvas_.channels(); ++c) {
@@ -129,6 +133,7 @@ class LineMover {
     for (float& s : share_) s = s > move_.residue ? (s - move_.residue) / s : 0.0f;
   }
 
+  // Takes the residue out of value_ into held_. It is added again once the rest has moved.
   void split_residue() {
     for (std::size_t i = 0; i < held_.size(); ++i) {
       const float free = value_[i + 1] * share_[i];
@@ -159,7 +164,7 @@ struct LineTask {
   int begin, end;
 };
 
-/// Those that something moves along.
+/// The lines of a run along which something moves.
 LineTask moving_lines(const TileRun& run, const ChangedBlocks& moving, int factor) {
   int first = run.breadth(), last = 0;
   for (const int tile : run.tiles) {
@@ -179,11 +184,13 @@ void advect_detail(DetailCanvas& canvas, const PaintEdges& edges, Axis axis,
   std::vector<LineTask> tasks;
   const int k = canvas.layout().factor();
   for (const TileRun& run : runs) {
+    // Runs are cut into tasks of some lines.
     const LineTask lines = moving_lines(run, moving, k);
     for (int line = lines.begin; line < lines.end; line += kLinesPerTask)
       tasks.push_back({&run, line, std::min(line + kLinesPerTask, lines.end)});
   }
   threads.for_ranges(0, static_cast<int>(tasks.size()), 1, [&](int begin, int end) {
+    // Each line reads and writes only itself, so the lines may move in any order.
     LineMover mover(canvas, edges, move);
     for (int t = begin; t < end; ++t) {
       const LineTask& task = tasks[static_cast<std::size_t>(t)];

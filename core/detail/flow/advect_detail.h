@@ -1,5 +1,5 @@
 #pragma once
-// The paint of the detail canvas goes where the guide's paint went.
+// Advection on the detail canvas: its paint goes where the guide's paint went.
 
 #include <span>
 
@@ -12,16 +12,16 @@
 namespace pentimento {
 
 struct DetailAdvection {
-  float residue = 0;              // of layer 0 stays on the paper (R19)
+  float residue = 0;              // amount of layer 0 that stays on the paper (R19)
   std::span<const float> amount;  // per channel: its share in the total amount (A26)
 };
 
-/// Moves depth and every channel of every layer with the depth's edges along one axis, line by line
-/// of fine cells, with the guide's edges interpolated between its rows (across) and its edges
-/// (along). `moving`: the cells beside edges that move, and at least one around them; paint comes
-/// no further than between edges that move. (Layer by layer, with the guide's edges of each, fine
-/// paint is torn apart where guide cells with one layer and with two lie side by side; the lock
-/// brings each layer's share back.)
+/// Moves depth and every channel of every layer along one axis, line by line of fine cells. All
+/// move with the edges of the guide's depth, which are interpolated between the guide's rows across
+/// the motion and between its edges along it. `moving`: the cells beside edges that move, and at
+/// least one cell around them; paint stays between edges that move. Why the layers do not move with
+/// their own edges: fine paint would be torn apart where guide cells with one layer and with two
+/// lie side by side. The lock brings each layer's share back.
 void advect_detail(DetailCanvas& canvas, const PaintEdges& edges, Axis axis,
                    const ChangedBlocks& moving, const DetailAdvection& move,
                    const Threads& threads);

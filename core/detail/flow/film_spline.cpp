@@ -9,13 +9,13 @@
 namespace pentimento {
 
 namespace {
-constexpr float kBare = 0.02f;  // of the fullest around: less is no film
+constexpr float kBare = 0.02f;  // share of the fullest cell around: less is no film
 constexpr int kPasses = 3;
 constexpr int kTap = 2;  // cells on each side that the mean of a spline looks at
 constexpr int kAround = FilmSpline::kMargin + kPasses * kTap;
-constexpr float kMost = 4;  // c within d / 4 and 4 d
-// Where B(f) is more, no point of the cell has W below 0.99, and M is 1: even a corner of the five
-// by five cells has a weight of 7e-6.
+constexpr float kMost = 4;  // the film stays within a quarter and four times the depth
+// Where B(f) is more than this, no point of the cell has W below 0.99 and M is 1: even the corners
+// of the five by five cells have a weight of 7e-6.
 constexpr float kWhole = 1 - 1e-6f;
 
 float fill_at(const Field<float>& plane, int x, int y) {
@@ -32,8 +32,8 @@ float fill_at(const Field<float>& plane, int x, int y) {
   return least < kBare * most ? here / most : 1.0f;
 }
 
-/// B: along the rows, then along the columns; cells nearer than kTap to the border stay as they
-/// are.
+/// B: means along the rows, then along the columns. Cells nearer than kTap to the border stay as
+/// they are.
 std::vector<float> spline_means(const std::vector<float>& value, int width, int height) {
   constexpr std::array<float, 3> kWeight = {230.0f / 384, 76.0f / 384, 1.0f / 384};
   const auto blur = [&](const std::vector<float>& in, std::ptrdiff_t step, int x0, int y0) {
@@ -50,7 +50,7 @@ std::vector<float> spline_means(const std::vector<float>& value, int width, int 
   return blur(blur(value, 1, kTap, 0), width, 0, kTap);
 }
 
-/// Along an axis of a cell.
+/// The four points along an axis of a cell where M is measured.
 constexpr std::array<SplineTaps, 4> kPoints = {spline_taps(-0.375f), spline_taps(-0.125f),
                                                spline_taps(0.125f), spline_taps(0.375f)};
 }  // namespace
@@ -61,6 +61,7 @@ FilmSpline::FilmSpline(const Field<float>& plane, const CellBox& box)
       width_(box.width() + 2 * kAround),
       height_(box.height() + 2 * kAround) {
   const std::size_t cells = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
+  // What the cells hold, and how full each is of film.
   std::vector<float> held(cells);
   coverage_.resize(cells);
   std::size_t i = 0;
@@ -70,6 +71,7 @@ FilmSpline::FilmSpline(const Field<float>& plane, const CellBox& box)
       held[i] = plane(px, py);
       coverage_[i] = fill_at(plane, px, py);
     }
+  // M, the share that the edge's profile lets a cell hold; whole cells need no measuring.
   film_ = held;
   const std::vector<float> spread = spline_means(coverage_, width_, height_);
   std::vector<float> profile(cells, 1.0f);
@@ -78,10 +80,11 @@ FilmSpline::FilmSpline(const Field<float>& plane, const CellBox& box)
       const std::size_t cell = static_cast<std::size_t>(y * width_ + x);
       if (held[cell] > 0 && spread[cell] < kWhole) profile[cell] = profile_mean(cell);
     }
+  // The film is adjusted until the spline's means are what the cells hold.
   for (int pass = 1; pass <= kPasses; ++pass) sharpen(held, profile, spread, pass * kTap);
 }
 
-/// M, from 4 x 4 points: along the rows first, then down.
+/// M of a cell, from 4 x 4 points: along the rows first, then down.
 float FilmSpline::profile_mean(std::size_t cell) const {
   std::array<std::array<float, kPoints.size()>, 2 * kTap + 1> along{};
   for (int j = -kTap; j <= kTap; ++j) {
@@ -103,7 +106,7 @@ float FilmSpline::profile_mean(std::size_t cell) const {
   return sum / 16;
 }
 
-/// One pass over the cells at least `margin` inside.
+/// One pass over the cells that are at least `margin` away from the border.
 void FilmSpline::sharpen(const std::vector<float>& held, const std::vector<float>& profile,
                          const std::vector<float>& spread, int margin) {
   const std::vector<float> mean = spline_means(film_, width_, height_);

@@ -1,6 +1,6 @@
 #pragma once
-// The guide's film in and around a box as coefficients of smooth surfaces (smooth_field.h): how far
-// it reaches, and how deep it is.
+// The guide's film in and around a box, as coefficients of two smooth surfaces (smooth_field.h):
+// the coverage, which says how far the film reaches, and the depth of the film.
 
 #include <vector>
 
@@ -28,7 +28,8 @@ class FilmSpline {
  public:
   static constexpr int kMargin = TileNeighbourhood::kMargin;  // cells with coefficients around it
   FilmSpline(const Field<float>& plane, const CellBox& box);
-  /// Cells at most kMargin outside the box; beyond the canvas they repeat its outermost.
+  /// f and c of a cell of the guide, at most kMargin outside the box. Cells beyond the canvas
+  /// repeat the outermost cells.
   float coverage(int x, int y) const { return coverage_[at(x, y)]; }
   float film(int x, int y) const { return film_[at(x, y)]; }
 

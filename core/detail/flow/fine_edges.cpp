@@ -7,7 +7,8 @@
 namespace pentimento {
 
 namespace {
-/// Per block, at a guide edge; 0 at both ends of the line and beside what stands still.
+/// Slope of the displacement at an edge of the guide, per block. It is 0 at both ends of the line
+/// and beside edges that stand still.
 float slope_at(std::span<const float> guide, std::size_t edge) {
   if (edge == 0 || edge + 1 == guide.size()) return 0;
   return conservative::limited_mc(guide[edge] - guide[edge - 1], guide[edge + 1] - guide[edge]);
@@ -29,6 +30,7 @@ void place_edges(std::span<const float> guide, int factor, std::span<float> posi
   const auto k = static_cast<std::size_t>(factor);
   const float per_factor = 1 / static_cast<float>(factor);
   const std::size_t blocks = guide.size() - 1;
+  // Between two edges of the guide, a cubic with limited slopes.
   for (std::size_t g = 0; g < blocks; ++g) {
     const float low = guide[g], rise = guide[g + 1] - guide[g];
     const float slope_low = slope_at(guide, g), slope_high = slope_at(guide, g + 1);

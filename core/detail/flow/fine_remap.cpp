@@ -8,7 +8,7 @@
 namespace pentimento {
 
 namespace {
-/// part(i, s) of each edge.
+/// part(i, s) of each edge (fine_remap.h).
 PENTIMENTO_KERNEL
 void find_parts(const int* cell, const float* share, const float* m, int edges,
                 float* __restrict part) {
@@ -20,7 +20,7 @@ void find_parts(const int* cell, const float* share, const float* m, int edges,
   }
 }
 
-/// Sums between edges whose sources are at most two cells apart.
+/// The amount between two edges, for cells whose edges come from at most two cells apart.
 PENTIMENTO_KERNEL
 void sum_between(const int* cell, const float* m, const float* part, int cells,
                  float* __restrict out) {
@@ -64,6 +64,7 @@ void remap_line(const FineSources& sources, std::span<const float> amount, std::
   const float* m = amount.data() + 1;
   const int cells = static_cast<int>(out.size());
   const int* cell = sources.cell.data();
+  // Near cells in whole vectors; then the few whose edges come from further apart.
   find_parts(cell, sources.share.data(), m, cells + 1, part.data());
   sum_between(cell, m, part.data(), cells, out.data());
   if (sources.most <= 2) return;

@@ -1,20 +1,23 @@
 #pragma once
-// Moves paint along one line of fine cells: the forward remap of the conservative scheme, read
-// backwards, because here every cell may move far.
+// Moves paint along one line of fine cells. It is the forward remap of the conservative scheme read
+// backwards: for each edge it finds where that edge came from, because here every cell may move
+// far.
 
 #include <span>
 #include <vector>
 
 namespace pentimento {
 
-/// Where each edge of the line, standing still, came from: cell and share of it.
+/// The source of each edge of the line: the cell, and the place in that cell, where the paint that
+/// is now at the edge came from.
 struct FineSources {
   std::vector<int> cell;
   std::vector<float> share;  // of the cell's length that lies before the edge, [0,1]
-  int most = 0;              // cells from one edge's source to the next one's
+  int most = 0;              // most cells between the sources of two edges side by side
 };
 
-/// For n + 1 ascending positions of moved edges (fine_edges.h), the first 0, the last n.
+/// Finds the sources for n + 1 ascending positions of moved edges (fine_edges.h), the first 0, the
+/// last n.
 void find_sources(std::span<const float> position, FineSources& sources);
 
 /// Amounts per cell after the motion: what lies between the sources of a cell's two edges, under

@@ -12,15 +12,15 @@ namespace pentimento {
 
 namespace {
 constexpr float kRipple_per_m2 = 4e7f;  // squared wave number of ripples of a millimetre
-constexpr float kLeastRate = 1e-3f;     // slower levelling shows in no session
-constexpr int kReach = TileNeighbourhood::kMargin;  // of what levels, in cells
+constexpr float kLeastRate = 1e-3f;     // levelling slower than this is never seen
+constexpr int kReach = TileNeighbourhood::kMargin;  // cells around that levelling looks at
 constexpr int kBeside = kLevellingRadius - kReach;
 
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
 
-/// Levels tile by tile; keeps its buffers.
+/// Levels tile by tile. The buffers are kept from tile to tile.
 class TileLeveller {
  public:
   TileLeveller(DetailCanvas& canvas, const CanvasState& guide, const PaintEdges& edges,
@@ -36,6 +36,7 @@ class TileLeveller {
 
   void level(DetailTile& tile) {
     if (!tile.depth_m || !tile.base_m) return;
+    // How fast each cell of the guide levels; only boxes around those that do are worked on.
     TileNeighbourhood rates(tile.box, guide_.geometry.width, guide_.geometry.height);
     rates.fill([&](int x, int y) { return rate_at(x, y); });
     for (const CellBox& box : boxes_that_level(tile, rates)) level_box(tile, rates, box);
@@ -48,8 +49,8 @@ class TileLeveller {
            (y > 0 && along_y(x, y - 1) != 0);
   }
 
-  /// Whether paint moves in or beside a cell: tension draws smooth an edge that is held, too, while
-  /// paint arrives behind it.
+  /// Whether paint moves in a cell or beside it. An edge that is held does not move, but tension
+  /// smooths it while paint arrives behind it.
   bool moves_beside(int x, int y) const {
     const int right = guide_.geometry.width - 1, bottom = guide_.geometry.height - 1;
     for (int j = std::max(0, y - kBeside); j <= std::min(bottom, y + kBeside); ++j)
@@ -58,10 +59,11 @@ class TileLeveller {
     return false;
   }
 
-  /// L of the guide's cell.
+  /// L of a cell of the guide (level_detail.h).
   float rate_at(int x, int y) const {
     const float depth = guide_.depth_m(x, y);
     if (!(depth > 0) || !moves_beside(x, y)) return 0;
+    // The paint's rheology, as the guide has it.
     float amount = 0;
     for (int layer = 0; layer < guide_.layers; ++layer)
       for (int c = 0; c < guide_.channels; ++c)
@@ -69,14 +71,15 @@ class TileLeveller {
     float mobility = 0, viscosity = 0;
     rheology_row(rheology_, 0.0f, {&depth, 1}, {&amount, 1}, {&mobility, 1}, {&viscosity, 1});
     const float nu = std::max(viscosity, in_.model.friction_viscosity_floor_m2_s);
+    // The rate of the ripples' decay, and the share of them that goes in this step.
     const float rate =
         in_.dt_s * gravity_m_s2_ * mobility * depth * depth * depth / (3 * nu) * kRipple_per_m2;
     const float share = rate / (1 + rate);
     return share > kLeastRate ? share : 0.0f;
   }
 
-  /// Columns of the tile's blocks that have something that levels around them, side by side, and of
-  /// those the rows: drips far apart are levelled each by itself.
+  /// Boxes of blocks with something that levels in or around them. Boxes have no column in common:
+  /// drips that are far apart are levelled each by itself.
   std::vector<CellBox> boxes_that_level(const DetailTile& tile, const TileNeighbourhood& rates) {
     std::vector<CellBox> boxes;
     const CellBox& all = tile.box;
@@ -95,13 +98,16 @@ class TileLeveller {
 
   void level_box(DetailTile& tile, const TileNeighbourhood& rates, const CellBox& box) {
     box_ = box;
+    // How fast each fine cell levels.
     smooth([&](int x, int y) { return rates.at(x, y); }, rate_);
     spare_dry_blocks();
+    // What it levels to: the guide's film as a smooth surface, with a smooth edge.
     const FilmSpline spline(guide_.depth_m, box);
     smooth([&](int x, int y) { return spline.coverage(x, y); }, wet_);
     smooth([&](int x, int y) { return spline.film(x, y); }, depth_);
     smooth([&](int x, int y) { return guide_.depth_m(x, y); }, plain_depth_);
     smooth([&](int x, int y) { return guide_.base_m(x, y); }, base_);
+    // The depth relaxes to that, row by row; the pigment follows.
     before_.resize(rate_.size());
     for (int row = 0; row < rows(); ++row) {
       float* depth = tile.depth_m.data() + in_tile(tile, row);
@@ -114,7 +120,7 @@ class TileLeveller {
 
   int cells() const { return box_.width() * canvas_.layout().factor(); }
   int rows() const { return box_.height() * canvas_.layout().factor(); }
-  /// Where a row of the box starts in a plane of the tile.
+  /// Index in a plane of the tile where a row of the box starts.
   std::ptrdiff_t in_tile(const DetailTile& tile, int row) const {
     const int k = canvas_.layout().factor(), side = canvas_.layout().side();
     return static_cast<std::ptrdiff_t>((box_.y0 - tile.box.y0) * k + row) * side +
@@ -133,7 +139,7 @@ class TileLeveller {
     values.smooth(canvas_.layout().factor(), out.data(), cells());
   }
 
-  /// Nothing levels in blocks that the guide has dry.
+  /// Blocks that are dry on the guide do not level.
   void spare_dry_blocks() {
     const int k = canvas_.layout().factor();
     for (int row = 0; row < rows(); ++row)
@@ -142,7 +148,8 @@ class TileLeveller {
           std::fill_n(rate_.begin() + row * cells() + x * k, k, 0.0f);
   }
 
-  /// Pigment goes with the depth that came or went; near its own edge it relaxes as depth does.
+  /// Pigment goes with the depth that came or went. Near the pigment's own edge it relaxes as depth
+  /// does.
   void carry(DetailTile& tile, std::size_t plane) {
     const Field<float>& amount = guide_.pigment[plane];
     smooth([&](int x, int y) { return amount(x, y); }, amount_);
@@ -162,7 +169,7 @@ class TileLeveller {
   const StepInput& in_;
   Rheology rheology_;
   float gravity_m_s2_;
-  CellBox box_;  // being levelled
+  CellBox box_;  // the box that is being levelled
   std::vector<float> rate_, wet_, depth_, plain_depth_, base_, before_, amount_, stain_;
 };
 }  // namespace

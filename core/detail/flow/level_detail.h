@@ -1,6 +1,6 @@
 #pragma once
-// Runny paint levels on the detail canvas, and its edge draws itself smooth: what the guide's
-// height equation does at its own scale, and what lies below that scale.
+// Runny paint levels on the detail canvas, and its edge becomes smooth. The guide's height equation
+// does that at the guide's scale; this file does it below that scale.
 
 #include "core/detail/store/changed_blocks.h"
 #include "core/detail/store/detail_canvas.h"
@@ -8,7 +8,7 @@
 
 namespace pentimento {
 
-/// Cells change no farther than that from cells whose paint moves.
+/// Levelling changes cells of the guide no further than this from cells whose paint moves.
 inline constexpr int kLevellingRadius = 3;
 
 /// Relaxes the depth in the cells of tiles in `moving` where the guide's paint moves, or moves in a
@@ -22,11 +22,11 @@ inline constexpr int kLevellingRadius = 3;
 /// the cell holds. Each pigment relaxes in the same way towards an edge of its own, within a cell
 /// of it, where m rises from W = 0.35 to 0.75: paint lies on both sides of it. The contour W = 1/2
 /// lies where a front of full depth would, if it held what the guide's last cells hold: so a glaze
-/// running at an angle has a smooth edge although the guide's is a staircase. m stays inside it, as
-/// a wetted edge does: it runs out at an angle, it has no wall. Scheme: implicit in the depth,
-/// explicit in t. Stable: 0 <= L < 1. Sums: restored by the lock. Source: rate of a thin film,
-/// Reynolds 1886; docs/fidelity.md. Departs from it: |g| in place of g_z, because a film on an
-/// upright canvas levels too (by surface tension).
+/// running at an angle has a smooth edge although the guide's is a staircase. m stays inside that
+/// contour: the film ends at an angle, as a wetting edge does, not with a wall. Scheme: implicit in
+/// the depth, explicit in t. Stable: 0 <= L < 1. Sums: restored by the lock. Source: rate of a thin
+/// film, Reynolds 1886; docs/fidelity.md. Departs from it: |g| in place of g_z, because a film on
+/// an upright canvas levels too (by surface tension).
 void level_detail(DetailCanvas& canvas, const CanvasState& guide, const PaintEdges& edges,
                   const StepInput& in, const ChangedBlocks& moving);
 

@@ -7,7 +7,7 @@ namespace pentimento {
 namespace {
 constexpr float kFilmLow = 0.47f, kStainLow = 0.35f, kEdgeRise = 0.4f;
 constexpr float kSkirt = 0.02f;
-constexpr float kEdgeReach = 4;  // pigment is relaxed where its wetness is below 1, fully at 3/4
+constexpr float kEdgeReach = 4;  // pigment relaxes where its coverage is below 1, fully at 3/4
 
 inline __attribute__((always_inline)) float profile(float wetness, float low) {
   const float along = (wetness - low) / kEdgeRise;

@@ -23,15 +23,16 @@ void relax_depth_row(const LevelRow& guide, const float* base_m, int n, float* d
 /// Smooth fields of one pigment of the guide.
 struct LevelPigmentRow {
   const float* amount;
-  const float* depth_m;   // its guide's, smoothed in the same way
+  const float* depth_m;   // the guide's depth, smoothed in the same way
   const float* coverage;  // how full of this pigment, [0, 1]
 };
 
-/// What depth that came or went does to a pigment a, d' and d after and before:
+/// The change of a pigment a with the depth, which was d and is d':
 ///   a *= d' / d where d' < d;  a += (d' - d) a_s / d_s elsewhere
 /// then near the pigment's own edge, over its wetness E = a_s's fullness:
 ///   a += L min(1, 4 (1 - E)) (m(E + 0.12) a_s / E - a)
-/// Scheme: pointwise. Stable: a stays >= 0. Source: level_detail.h. Departs from it: nothing.
+/// Scheme: pointwise. Stable: a stays >= 0.
+/// Source: level_detail.h. Departs from it: nothing.
 void relax_pigment_row(const LevelRow& guide, const LevelPigmentRow& pigment, const float* before_m,
                        const float* after_m, int n, float* amount);
 

@@ -11,7 +11,7 @@ namespace {
 constexpr int kAround = kLevellingRadius;
 constexpr int kLookedAt = 64;  // edges at a time
 
-/// Calls body(x0, x1) for pieces of a row that have edges that move, all of them inside.
+/// Calls body(x0, x1) for pieces [x0, x1) of a row. The pieces hold all edges of the row that move.
 template <typename Body>
 void for_moving(const float* edge, int x0, int x1, const Body& body) {
   for (int x = x0; x < x1; x += kLookedAt) {

@@ -1,13 +1,14 @@
 #pragma once
-// Where the paint of a step's part moves.
+// Finds where paint moves in one part of a step.
 
 #include "core/detail/store/changed_blocks.h"
 #include "core/fluid/paint_edges.h"
 
 namespace pentimento {
 
-/// Adds the guide cells beside edges that move, in the cells of `runs`, and kLevellingRadius cells
-/// around them (level_detail.h): all that the detail's motion and its levelling may change.
+/// Adds to `blocks` the guide cells beside edges that move, in the cells of `runs`, and
+/// kLevellingRadius cells around them (level_detail.h). Advection and levelling of the detail
+/// canvas change no other cells.
 void add_moving(const PaintEdges& edges, const std::vector<conservative::Run>& runs,
                 ChangedBlocks& blocks);
 

@@ -8,7 +8,7 @@
 namespace pentimento {
 
 namespace {
-/// Of fine cell `within` of the `factor` in a row of a block.
+/// Taps of fine cell `within`, one of the `factor` cells in a row of a block.
 SplineTaps taps_of(int within, int factor) {
   return spline_taps((static_cast<float>(within) + 0.5f) / static_cast<float>(factor) - 0.5f);
 }
@@ -43,6 +43,7 @@ void TileNeighbourhood::smooth(int factor, float* out, std::ptrdiff_t stride) co
   const int cells = box_.width() * factor;
   std::vector<SplineTaps> phase;
   for (int i = 0; i < factor; ++i) phase.push_back(taps_of(i, factor));
+  // Along the rows first: each row of the guide gets its fine columns.
   std::vector<float> stretched(static_cast<std::size_t>(cells) * static_cast<std::size_t>(height_));
   for (int y = 0; y < height_; ++y) {
     float* to = stretched.data() + static_cast<std::ptrdiff_t>(y) * cells;
@@ -54,6 +55,7 @@ void TileNeighbourhood::smooth(int factor, float* out, std::ptrdiff_t stride) co
                 p.weight[3] * near[3];
       }
   }
+  // Then down: each fine row is a mean of four of those.
   for (int y = 0; y < box_.height() * factor; ++y) {
     const SplineTaps& p = phase[static_cast<std::size_t>(y % factor)];
     const float* first =

@@ -1,5 +1,5 @@
 #pragma once
-// A field of the guide as a smooth surface over the fine cells of a tile.
+// A plane of the guide as a smooth surface over the fine cells of a tile.
 
 #include <array>
 #include <functional>
@@ -9,36 +9,36 @@
 
 namespace pentimento {
 
-/// Weights that the cubic B-spline gives four cells in a row at a point `t` cells behind the centre
-/// of the second, 0 <= t <= 1.
+/// Weights of four cells in a row, by the cubic B-spline, at a point `t` cells after the centre of
+/// the second cell. 0 <= t <= 1.
 constexpr std::array<float, 4> spline_weights(float t) {
   const float r = 1 - t;
   return {r * r * r / 6, (4 - 6 * t * t + 3 * t * t * t) / 6, (4 - 6 * r * r + 3 * r * r * r) / 6,
           t * t * t / 6};
 }
 
-/// Which four cells in a row a point leans on: the first, counted from its own cell, and weights.
+/// The four cells in a row that give the value at a point: the first of them, counted from the
+/// point's own cell, and their weights.
 struct SplineTaps {
   int first;
   std::array<float, 4> weight;
 };
 
-/// Of a point `from_centre` cells behind the centre of its cell, |from_centre| <= 1/2.
+/// Taps of a point `from_centre` cells after the centre of its cell, |from_centre| <= 1/2.
 constexpr SplineTaps spline_taps(float from_centre) {
   if (from_centre < 0) return {-2, spline_weights(from_centre + 1)};
   return {-1, spline_weights(from_centre)};
 }
 
-/// Values of guide cells in and around a tile, two cells more on each side, which the surface is
-/// made from.
+/// Values of the guide's cells in a tile and two cells around it. The surface is made from them.
 class TileNeighbourhood {
  public:
   static constexpr int kMargin = 2;
-  /// Cells beyond the canvas repeat its outermost.
+  /// `box`: the cells of the tile. Cells beyond the canvas repeat the outermost cells.
   TileNeighbourhood(const CellBox& box, int guide_width, int guide_height);
   /// Sets every value to value_at(x, y) of the guide.
   void fill(const std::function<float(int, int)>& value_at);
-  /// Of the guide cell (x, y), at most kMargin outside the box.
+  /// Value of the guide's cell (x, y), which lies at most kMargin outside the box.
   float at(int x, int y) const {
     return value_[static_cast<std::size_t>((y - y0_) * width_ + x - x0_)];
   }

@@ -11,7 +11,7 @@ struct Lock::Job {
   DetailCanvas& canvas;
   const CanvasState& guide;
   const Threads& threads;
-  int grain_size;  // strips that are worth a task
+  int grain_size;  // strips worth a task of their own
 
   BlockRow row_of(const Strip& strip, const WetPlane& q) const {
     return block_row(q.of(*strip.tile).data(), canvas.layout(), strip.at);
@@ -20,9 +20,9 @@ struct Lock::Job {
 
 namespace {
 constexpr int kSmoothings = 3;
-constexpr float kClose = 1e-6f;     // a float's mean of a block is not known better
-constexpr float kMostSmoothed = 2;  // ratios beyond would drag their neighbours along
-constexpr float kMostScaled = 16;   // blocks that owe more are filled
+constexpr float kClose = 1e-6f;     // the mean of a block in floats is not more exact than this
+constexpr float kMostSmoothed = 2;  // larger ratios would pull their neighbours along
+constexpr float kMostScaled = 16;   // blocks that must grow by more are filled instead
 constexpr int kCellsPerTask = 16384;
 
 void count_ratio(float ratio, LockStatistics& s) {
@@ -32,7 +32,7 @@ void count_ratio(float ratio, LockStatistics& s) {
   ++s.blocks[bin];
 }
 
-/// The part of a strip that ratios other than 1 reach.
+/// The part of a strip that a ratio other than 1 reaches.
 BlockStrip off_part(const RatioRows& rows, BlockStrip strip) {
   const auto off = [&](int x) {
     return rows.above[x] != 1 || rows.here[x] != 1 || rows.below[x] != 1;
@@ -54,12 +54,15 @@ Lock::Lock(const DetailLayout& layout, int layers) {
 
 void Lock::lock(DetailCanvas& canvas, const CanvasState& guide,
                 const std::vector<BlockStrip>& strips, const Threads& threads) {
+  // Which strips to lock; how many of them make a task.
   list(canvas, strips);
   if (strips_.empty()) return;
   const auto fine = blocks_ * static_cast<std::size_t>(canvas.layout().factor()) *
                     static_cast<std::size_t>(canvas.layout().factor());
   const auto cells = static_cast<int>(fine / strips_.size());
   const Job job{canvas, guide, threads, std::max(1, kCellsPerTask / std::max(1, cells))};
+  // The depth alone; then each pigment channel with all its layers, for a mismatched block is
+  // locked as the sum of its layers.
   lock_group(job, {WetPlane{}});
   for (int c = 0; c < canvas.channels(); ++c) {
     Group group;
@@ -67,13 +70,15 @@ void Lock::lock(DetailCanvas& canvas, const CanvasState& guide,
       group.push_back(WetPlane{layer * canvas.channels() + c});
     lock_group(job, group);
   }
+  // Each strip counted for itself: the sums do not depend on the threads.
   for (const LockStatistics& s : counted_) {
     for (std::size_t i = 0; i < s.blocks.size(); ++i) statistics_.blocks[i] += s.blocks[i];
     statistics_.owed += s.owed;
   }
 }
 
-/// The strips that have a tile, and whose layers correspond.
+/// Lists the strips that have a tile, and for each block whether its layers are those of the
+/// guide's cell.
 void Lock::list(DetailCanvas& canvas, const std::vector<BlockStrip>& strips) {
   strips_.clear();
   split_.clear();
@@ -100,6 +105,7 @@ void Lock::for_strips(const Job& job, const Body& body) {
 }
 
 void Lock::lock_group(const Job& job, const Group& group) {
+  // What each block holds, and by which ratio it is off.
   held_.assign(group.size() * blocks_, 0.0f);
   for_strips(job, [&](std::size_t s) {
     for (std::size_t p = 0; p < group.size(); ++p)
@@ -110,6 +116,8 @@ void Lock::lock_group(const Job& job, const Group& group) {
   const auto any_off = [&] {
     return std::any_of(off_.begin(), off_.end(), [](std::uint8_t off) { return off != 0; });
   };
+  // Smooth passes: the ratios are spread as a smooth field, so that no block shows its border. Each
+  // pass finds the ratios that are left.
   for (int pass = 1; pass <= kSmoothings && any_off(); ++pass) {
     for_strips(job, [&](std::size_t s) {
       for (std::size_t p = 0; p < group.size(); ++p)
@@ -121,11 +129,14 @@ void Lock::lock_group(const Job& job, const Group& group) {
     for (const Strip& strip : strips_)
       for (std::vector<Field<float>>& ratio : ratio_)
         std::fill_n(ratio[p].row(strip.at.y) + strip.at.x0, strip.at.blocks(), 1.0f);
+  // The exact pass: what is still off is scaled block by block. Blocks with next to nothing to
+  // scale are filled.
   for_strips(job, [&](std::size_t s) { make_exact(job, group, s); });
   fill_uncovered_blocks(job, group);
 }
 
-/// Multiplies by the ratios of the pass before; keeps `held_` up to date.
+/// Multiplies the fine cells of a strip by the ratios of the pass before, as a smooth field. Keeps
+/// `held_` up to date.
 void Lock::smooth(const Job& job, const WetPlane& q, std::size_t plane, const Strip& strip,
                   int pass) {
   const Field<float>& ratio = ratio_[at(pass + 1) % 2][plane];
@@ -136,7 +147,8 @@ void Lock::smooth(const Job& job, const WetPlane& q, std::size_t plane, const St
                  held_of(plane, strip).subspan(at(part.x0 - strip.at.x0), at(part.blocks())));
 }
 
-/// What the guide wants in a block, and what it holds: of a plane, or of all layers of a pigment.
+/// What the guide wants in a block and what the block holds: of one plane, or in a mismatched block
+/// of all layers of a pigment channel.
 Lock::Target Lock::target_of(const Job& job, const Group& group, std::size_t plane,
                              const Strip& strip, int block) const {
   const std::size_t b = strip.first + at(block);
@@ -186,7 +198,8 @@ void Lock::make_exact(const Job& job, const Group& group, std::size_t s) {
       } else if (c.wanted <= kMostScaled * c.held) {
         by = c.wanted / c.held;
       } else {
-        // What the guide has in this very layer, split or not.
+        // Fill up to what the guide has in this very layer, even if the block's layers are
+        // mismatched.
         const int x = strip.at.x0 + i, y = strip.at.y;
         uncovered_[s].push_back({x, y, static_cast<int>(p), group[p].of(job.guide)(x, y), {}});
       }
@@ -197,7 +210,8 @@ void Lock::make_exact(const Job& job, const Group& group, std::size_t s) {
   counted_[s].owed += static_cast<std::int64_t>(uncovered_[s].size());
 }
 
-/// All are decided from the canvas as it is before any is written: neighbours may both owe.
+/// Two passes: all fillings are found from the canvas as it is before any is written, for two
+/// blocks side by side may both be uncovered.
 void Lock::fill_uncovered_blocks(const Job& job, const Group& group) {
   const auto owes = [](const std::vector<UncoveredBlock>& blocks) { return !blocks.empty(); };
   if (std::none_of(uncovered_.begin(),

@@ -1,7 +1,7 @@
 #pragma once
-// The lock: every block of fine cells holds, in depth and in every pigment, just what the guide's
-// cell holds. First by a field of ratios interpolated between cells, which shows no blocks, then
-// by what is left, block by block.
+// The lock: it makes every block of fine cells hold, in depth and in every pigment, just what the
+// guide's cell holds. First it scales by a field of ratios that is interpolated between cells, so
+// that no block shows. Then it scales what is still off block by block.
 
 #include <array>
 #include <cstdint>
@@ -15,25 +15,26 @@
 
 namespace pentimento {
 
-/// How far the ratios guide / detail of blocks were from 1 before the lock, over depth and
-/// pigments: counts per bin of |ratio - 1|.
+/// How far the blocks were off before the lock: counts of |guide / detail - 1| by bins, over depth
+/// and pigments.
 struct LockStatistics {
   static constexpr std::array<float, 7> kBound = {0.001f, 0.003f, 0.01f, 0.03f, 0.1f, 0.3f, 1.0f};
-  std::array<std::int64_t, 8> blocks{};  // the last: beyond all bounds
-  std::int64_t owed = 0;                 // blocks without paint of their own
+  std::array<std::int64_t, 8> blocks{};  // the last bin: beyond all bounds
+  std::int64_t owed = 0;                 // uncovered blocks
 };
 
 class Lock {
  public:
   Lock(const DetailLayout& layout, int layers);
 
-  /// Locks blocks (ChangedBlocks::strips()) to the guide; the others are locked already.
+  /// Locks the blocks of `strips` (ChangedBlocks::strips()) to the guide; all others are locked
+  /// already.
   ///   3 times: r = guide / block mean, 1 where either is 0 or r beyond [1/2, 2];
   ///            value *= bilinear r
   ///   then value *= guide / block mean, whatever that is; blocks that owe more than 16 times what
   ///   they hold are filled (uncovered_blocks.h)
-  /// per layer of a pigment; of its sum over layers, the same ratio for all, where the layers do
-  /// not correspond (open_cells.h).
+  /// This is done for each layer of a pigment. In mismatched blocks (open_cells.h) it is done for
+  /// the sum over the layers, with one ratio for all.
   /// Scheme: multiplicative, so nothing becomes negative and bare cells stay bare.
   /// Stable: the last ratio is exact; the first are bounded.
   /// Source: docs/fidelity.md. Departs from it: blocks outside the list count as ratio 1, so list
@@ -51,7 +52,7 @@ class Lock {
   struct Strip {
     BlockStrip at;
     DetailTile* tile = nullptr;
-    std::size_t first = 0;  // of its blocks in the tables
+    std::size_t first = 0;  // index of its first block in the tables
   };
   struct Target {
     float wanted = 0, held = 0;
@@ -73,11 +74,12 @@ class Lock {
 
   std::vector<Strip> strips_;
   std::size_t blocks_ = 0;
-  // Per plane of a group, of the guide's size; 1 between calls. Read and written in turn.
+  // Per plane of a group, planes of the guide's size; all 1 between calls. Smooth passes read one
+  // and write the other in turn.
   std::array<std::vector<Field<float>>, 2> ratio_;
-  std::vector<float> held_;          // per plane of a group, per block of the strips
-  std::vector<std::uint8_t> split_;  // per block: layers do not correspond
-  std::vector<std::uint8_t> off_;    // per strip: has a ratio that is not 1
+  std::vector<float> held_;          // mean of each block, plane after plane of a group
+  std::vector<std::uint8_t> split_;  // per block: 1 if mismatched
+  std::vector<std::uint8_t> off_;    // per strip: 1 if it has a ratio that is not 1
   std::vector<LockStatistics> counted_;
   std::vector<std::vector<UncoveredBlock>> uncovered_;
   LockStatistics statistics_;

@@ -1,6 +1,6 @@
 #pragma once
-// Blocks that owe paint but have (almost) none to scale up: the guide's own spreading reached a
-// cell that the detail canvas did not.
+// Uncovered blocks: they must hold paint, but have almost none that could be scaled up. The guide's
+// paint spread to a cell that the paint of the detail canvas did not reach.
 
 #include <span>
 #include <vector>
@@ -12,20 +12,21 @@ namespace pentimento {
 /// A block, what it must hold on average, and the fine cells it gets.
 struct UncoveredBlock {
   int x = 0, y = 0;  // of the guide
-  int plane = 0;     // which of those locked together
+  int plane = 0;     // index among the planes that are locked together
   float mean = 0;
-  std::vector<float> value;  // factor x factor, filled by fill_uncovered
+  std::vector<float> value;  // factor x factor, set by fill_uncovered()
 };
 
-/// Decides where the block's paint lies: as an extension of what the fine cells across its borders
-/// hold, fading away from them
+/// Decides where the block's paint lies: it extends what the fine cells across the borders hold,
+/// and fades away from them.
 ///   e = sum over the four sides of (value across) (1 - distance / k)^2
-/// pigment only where the block has depth d, w = d (e + a thirtieth of its mean); depth w = e;
-/// pigment with nothing across, w = d; else evenly. Reads the canvas as it is; writes nothing to
-/// it. Source: ours. Departs from it: nothing.
+/// The weight of a cell is w = e for depth. For pigment it is w = d (e + a thirtieth of its mean),
+/// d the cell's depth, or w = d if nothing lies across. If these are all 0, w = e for pigment too.
+/// If those are 0 as well, the paint is spread evenly. The function only reads the canvas. Source:
+/// ours. Departs from it: nothing.
 void fill_uncovered(DetailCanvas& canvas, const WetPlane& q, UncoveredBlock& block);
 
-/// Writes the block's cells.
+/// Writes the values that fill_uncovered() found into the block's cells.
 void store_uncovered(DetailCanvas& canvas, const WetPlane& q, const UncoveredBlock& block);
 
 }  // namespace pentimento

@@ -1,7 +1,7 @@
 #pragma once
-// The guide's stamps on the detail canvas: the same plans, done a few dozen at a time, tile by
-// tile, while a tile's paint is near at hand. What a stamp does to a cell depends on that cell
-// alone, so the order of the cells is free.
+// The guide's stamps on the detail canvas. The plans are the same; a few dozen stamps are queued
+// and then done tile by tile, while a tile is in the cache. What a stamp does to a cell depends on
+// that cell alone, so the order of the cells is free.
 
 #include <memory>
 #include <span>
@@ -15,16 +15,16 @@ namespace pentimento {
 
 class DetailStamp {
  public:
-  /// All outlive it; `amount` as in LayerRow.
+  /// All references must outlive the object; `amount` as in LayerRow.
   DetailStamp(DetailCanvas& canvas, std::span<const float> amount, const Threads& threads);
 
-  /// Takes note of a stamp: the guide has just lifted, and not laid yet.
+  /// Queues a stamp. The guide has just picked up paint and not deposited any yet.
   void before_deposit(const StampPlan& plan, const CanvasState& guide);
-  /// The guide has laid. Makes planes for what came.
+  /// The guide has deposited. Makes planes for the paint that came.
   void after_deposit(const StampPlan& plan, const CanvasState& guide);
-  /// Does all stamps noted since the last time.
+  /// Does all queued stamps.
   void finish();
-  /// Forgets them.
+  /// Drops all queued stamps.
   void forget() { used_ = 0; }
   /// Cells of the guide under the last stamp.
   const CellBox& box() const { return stamps_[used_ - 1]->blocks(); }
@@ -33,7 +33,7 @@ class DetailStamp {
   /// The stamps that touch a tile.
   struct TileWork {
     int tile = 0;
-    std::vector<int> channels;  // that the tile has planes of
+    std::vector<int> channels;  // of which the tile has planes
     std::vector<const QueuedStamp*> stamps;
   };
   /// Rows of blocks [y0, y1) of a tile.
@@ -50,7 +50,7 @@ class DetailStamp {
   DetailCanvas& canvas_;
   std::vector<float> amount_;
   const Threads& threads_;
-  std::vector<std::unique_ptr<QueuedStamp>> stamps_;  // the first `used_` are waiting
+  std::vector<std::unique_ptr<QueuedStamp>> stamps_;  // the first `used_` are queued
   std::size_t used_ = 0;
 };
 

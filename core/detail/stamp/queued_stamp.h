@@ -1,6 +1,6 @@
 #pragma once
-// A stamp of the guide as the detail canvas remembers it: all that it needs to do the stamp later,
-// when the guide has gone on.
+// A queued stamp: all that the detail canvas needs to do a stamp of the guide later, when the guide
+// has gone on.
 
 #include <cstdint>
 #include <vector>
@@ -16,35 +16,36 @@ namespace pentimento {
 struct BlockLayers {
   LayerOpening opening;
   bool opens = false;       // the guide opened its cell for the stroke
-  std::int8_t target = -1;  // the layer that takes the paint; -1: the guide laid none
+  std::int8_t target = -1;  // layer that takes the paint; -1: the guide deposits none
 };
 
 class QueuedStamp {
  public:
   explicit QueuedStamp(int channels) : reservoir_(channels) {}
 
-  /// The guide has lifted: what it is about to lay into. `amount` as in LayerRow.
+  /// Copies the plan, and the layers into which the guide is about to deposit. `amount` as in
+  /// LayerRow.
   void before_deposit(const StampPlan& plan, const CanvasState& guide, const DetailLayout& layout,
                       std::span<const float> amount);
-  /// The guide has laid.
+  /// Copies the reservoir, and notes in which cells the guide deposited.
   void after_deposit(const StampPlan& plan, const CanvasState& guide);
 
   const StampPlan& plan() const { return plan_; }
   const TipFootprint& tip() const { return tip_; }
   const BristleTable& grip() const { return grip_; }
   const BristleTable& ends() const { return ends_; }
-  /// False: it only lifts.
+  /// False: the stamp only picks up.
   bool deposits() const { return deposits_; }
-  /// The cells of the tip, and all of the blocks that the guide's stamp may touch.
+  /// The fine cells of the tip, and of all blocks that the guide's stamp may touch.
   const FootprintBox& cells() const { return cells_; }
   /// The blocks of those cells.
   const CellBox& blocks() const { return blocks_; }
-  /// Of the blocks of row y of the guide, from blocks().x0 on.
+  /// What the stamp does to the layers of the blocks in row y of the guide, from blocks().x0 on.
   std::span<const BlockLayers> layers_in(int y) const {
     const auto width = static_cast<std::size_t>(blocks_.width());
     return {layers_.data() + static_cast<std::size_t>(y - blocks_.y0) * width, width};
   }
-  /// Whether it opens layers in a part of the guide.
+  /// Whether the stamp opens layers in a part of the guide.
   bool opens_in(const CellBox& part) const;
 
  private:

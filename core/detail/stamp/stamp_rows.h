@@ -1,7 +1,7 @@
 #pragma once
-// Stamps on some rows of one tile of the detail canvas: the same code per cell as the guide's, with
-// the tip and the paper at the fine cells' own resolution. Bands do not touch one another's cells,
-// so they may be done side by side.
+// Does stamps on some rows of one tile of the detail canvas. The code for a cell is the guide's,
+// with the tip and the paper at the resolution of the fine cells. Row ranges have no cell in
+// common, so several threads may work on them.
 
 #include <span>
 #include <vector>
@@ -14,17 +14,18 @@ namespace pentimento {
 
 class StampRows {
  public:
-  /// `canvas` outlives it; `amount` as in LayerRow.
+  /// `canvas` must outlive the object; `amount` as in LayerRow.
   StampRows(DetailCanvas& canvas, std::span<const float> amount);
 
-  /// Turns to rows [y0, y1) of blocks of the guide in `tile`, which has its relief, a depth, all
-  /// layers of `channels`, and room for openings if a stamp opens layers in it.
+  /// Turns to the rows [y0, y1) of the guide's blocks in `tile`. The tile must have its relief, its
+  /// depth, all layers of `channels`, and tables for open cells if a stamp opens layers in it.
   void begin(int tile, const std::vector<int>& channels, int y0, int y1);
-  /// Lifts, opens layers in blocks where the guide did as far as the tip touches, lays and mixes.
+  /// Does one stamp: picks up, opens layers where the guide did and the tip touches, deposits and
+  /// mixes.
   void apply(const QueuedStamp& stamp);
 
  private:
-  /// Cells of a row of the band that the tip touches, counted from the tile's first.
+  /// Cells of a row that the tip touches, counted from the tile's first cell.
   struct CellRange {
     int begin = 0, end = 0;
     bool empty() const { return begin >= end; }
@@ -46,11 +47,11 @@ class StampRows {
   DetailTile* tile_ = nullptr;
   int x0_ = 0, x1_ = 0, y0_ = 0, y1_ = 0;       // fine cells of the canvas
   const std::vector<int>* channels_ = nullptr;  // of the tile
-  std::vector<float> amount_;                   // of those
+  std::vector<float> amount_;                   // of these channels
   std::vector<float*> planes_;                  // [layer * channels + i]
   // Per cell of a row of the tile.
   std::vector<float> value_, share_, hold_, pick_up_weight_, part_;
-  std::vector<float> volume_, height_;  // of the brush's paint there
+  std::vector<float> volume_, height_;  // of the reservoir's paint over the cell
   std::vector<float> paint_;            // stride floats per cell
 };
 

@@ -1,6 +1,7 @@
 #pragma once
-// The edge of fresh paint on the detail canvas. Oil meets bare canvas at an angle: it does not thin
-// out to nothing, as a tip that trembles and changes its width from stamp to stamp would leave it.
+// The edge of fresh paint on the detail canvas. Oil meets bare canvas at an angle. A tip that
+// trembles and changes its width from stamp to stamp leaves an edge that thins out to nothing, so
+// the edge is steepened.
 
 #include <vector>
 
@@ -19,8 +20,8 @@ namespace pentimento {
 /// h_out: the least beside the cell; _block: mean over the block; q: depth and every pigment plane.
 /// Scheme: pointwise, then one ratio per block. Stable: amounts stay >= 0, each block keeps what it
 /// has of everything to rounding, so the guide does not notice.
-/// Source: ours; the edge profile of thin films in level_detail.h. Departs from it: nothing.
-/// Blocks are listed once.
+/// Source: ours; the edge profile of thin films in level_detail.h. Departs from it: nothing. Each
+/// block is listed once in `blocks`.
 void steepen_edges(DetailCanvas& canvas, const CanvasState& guide,
                    const std::vector<ReleasedBlock>& blocks, const Threads& threads);
 

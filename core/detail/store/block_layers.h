@@ -1,6 +1,7 @@
 #pragma once
-// Layers are opened for whole blocks, when the guide opens them in its cell: only so can the fine
-// cells hold, layer by layer, what the guide's cell holds.
+// Opening a layer in the fine cells of a block, as the guide opened it in its cell. The guide
+// decides once for the whole block, and each fine cell does the same when the tip touches it
+// (open_cells.h). So the fine cells hold, layer by layer, what the guide's cell holds.
 
 #include <array>
 #include <cstdint>
@@ -13,15 +14,17 @@ namespace pentimento {
 /// What open_layer() does to the layers of a cell.
 struct LayerOpening {
   std::array<std::int8_t, kMaxLayers> to{};  // where each layer goes; itself if it stays
-  bool merges = false;                       // then the bottom two become one
+  bool merges = false;                       // whether the bottom two layers become one
   int target = 0;                            // the layer that takes the stroke
 };
 
-/// The opening for a cell whose layers hold the amounts `total`, for a stroke that is new to it.
+/// The opening for a stroke that is new to a cell. `total`: the amount in each of the cell's
+/// layers.
 LayerOpening opening_of(std::span<const float> total);
-/// The layer that takes more of the stroke that touched the cell last.
+/// The layer that takes the paint of the stroke that touched the cell last: it goes on in its
+/// layer.
 int layer_on_top(std::span<const float> total);
-/// Does the same to a fine cell.
+/// Does the opening in the fine cell x of `row`.
 void open_fine(const LayerOpening& opening, const LayerRow& row, int x);
 
 }  // namespace pentimento

@@ -1,6 +1,7 @@
 #pragma once
-// Blocks of factor x factor fine cells side by side in a tile's plane: their means, factors per
-// block, a field of factors interpolated between blocks. Pure functions on one row of blocks.
+// Pure functions on a row of blocks, of factor x factor fine cells each, in a plane of a tile: the
+// means of the blocks, scaling block by block, and scaling by a field of ratios that is
+// interpolated between blocks.
 
 #include <span>
 
@@ -25,8 +26,8 @@ struct RatioRows {
   const float* above = nullptr;
   const float* here = nullptr;
   const float* below = nullptr;
-  int x = 0;      // the first of the blocks
-  int width = 0;  // of the guide: beyond its first and last value they are repeated
+  int x = 0;      // column of the first block on the guide
+  int width = 0;  // of the guide; its first and last value repeat beyond it
 };
 
 /// The blocks of a strip in a plane of its tile.
@@ -34,17 +35,17 @@ BlockRow block_row(float* plane, const DetailLayout& layout, const BlockStrip& s
 /// The rows around row y of a plane of the guide, for blocks from x on.
 RatioRows ratio_rows(const Field<float>& plane, int x, int y);
 
-/// What each block holds, as mean over its cells.
-/// Sums a column of a block in float, the columns in double: k <= 32 keeps it within 2e-6.
+/// The mean of each block over its cells. Sums each column of a block in float and the columns in
+/// double, which keeps the error within 2e-6 for factors up to 32.
 void block_means(const BlockRow& row, std::span<float> mean);
 
-/// value *= r(x, y), r bilinear between the centres of the guide's cells; `mean`: of the blocks
-/// afterwards.
+/// value *= r(x, y), r bilinear between the centres of the guide's cells. `mean` gets the blocks'
+/// means afterwards.
 ///   Scheme: bilinear; constant beyond the guide's outermost centres. Stable: r >= 0 keeps
 ///   values >= 0. Source: decisions on the lock (docs/fidelity.md). Departs from it: nothing.
 void scale_by_field(const RatioRows& ratio, const BlockRow& row, std::span<float> mean);
 
-/// value *= scale of the block.
+/// value *= scale[block].
 void scale_blocks(std::span<const float> scale, const BlockRow& row);
 
 }  // namespace pentimento

@@ -1,6 +1,6 @@
 #pragma once
 // Which cells of the guide have changed since they were last looked at, as one span per row of each
-// tile: what is done again after a stroke follows the stroke's own area.
+// tile. So the work after a stroke is in proportion to the stroke's own area.
 
 #include <cstdint>
 #include <vector>
@@ -21,19 +21,19 @@ class ChangedBlocks {
  public:
   explicit ChangedBlocks(const DetailLayout& layout);
 
-  /// Adds guide cells [x0, x1) of row y; what lies beyond the canvas is cut off. Between two parts
-  /// added to the same row of a tile everything counts as changed.
+  /// Adds the guide cells [x0, x1) of row y, cut to the canvas. If two parts are added to the same
+  /// row of a tile, everything between them counts as changed too.
   void add(int y, int x0, int x1);
   void add(const CellBox& box);
   void clear();
 
   bool empty() const { return listed_.empty(); }
   bool has(int tile) const { return flag_[static_cast<std::size_t>(tile)] != 0; }
-  /// Ascending.
+  /// The tiles with changes, ascending.
   std::vector<int> tiles() const;
-  /// Tile by tile, ascending, row by row.
+  /// All changes: tile by tile, ascending, and row by row.
   std::vector<BlockStrip> strips() const;
-  /// What strips() has of one tile, as the smallest box around it.
+  /// The smallest box around the changes in one tile.
   CellBox box(int tile) const;
 
  private:
@@ -47,9 +47,9 @@ class ChangedBlocks {
   }
 
   DetailLayout layout_;
-  std::vector<ChangedSpan> span_;   // per column of tiles, per row of the guide; x1 = 0: nothing
+  std::vector<ChangedSpan> span_;   // per column of tiles and row of the guide; x1 = 0: none
   std::vector<std::uint8_t> flag_;  // per tile: has a span
-  std::vector<int> listed_;         // those tiles, in the order they came
+  std::vector<int> listed_;         // tiles with a span, in the order in which they came
 };
 
 }  // namespace pentimento

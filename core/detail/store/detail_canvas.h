@@ -1,6 +1,6 @@
 #pragma once
-// The tiles of the detail canvas, made where paint comes. Who changes them is decided by the other
-// files of this folder.
+// The detail canvas: its tiles, which are made where paint comes. Other files change what is in
+// them: stamp/, flow/ and lock/ beside this folder.
 
 #include <memory>
 #include <mutex>
@@ -14,7 +14,8 @@ namespace pentimento {
 
 class DetailCanvas {
  public:
-  /// `substrate` and `store` (of buffers of side x side floats) outlive the canvas.
+  /// `substrate` and `store` must outlive the canvas. A buffer of `store` has side() x side()
+  /// floats.
   DetailCanvas(const DetailLayout& layout, int layers, int channels, int bands,
                const DetailSubstrate& substrate, TileStore& store)
       : layout_(layout),
@@ -31,32 +32,35 @@ class DetailCanvas {
   int layers() const { return layers_; }
   int channels() const { return channels_; }
   int bands() const { return bands_; }
-  /// nullptr where there never was paint.
+  /// The tile, or nullptr if it never had paint.
   DetailTile* find(int tile) { return tile_[static_cast<std::size_t>(tile)].get(); }
   const DetailTile* find(int tile) const { return tile_[static_cast<std::size_t>(tile)].get(); }
-  /// Makes the tile, with the relief of the fresh paper, if it does not exist.
+  /// The tile. If it does not exist, it is made, with the relief of the fresh paper.
   DetailTile& at(int tile);
   /// Back to bare paper.
   void clear();
 
-  /// The tile has a plane for everything that the guide has in it, or in the part `box` of it.
+  /// Makes the planes that a tile lacks of what the guide has in the tile, or in the part `box` of
+  /// it.
   void ensure_planes(int tile, const CanvasState& guide) {
     ensure_planes(tile, guide, layout_.box(tile));
   }
   void ensure_planes(int tile, const CanvasState& guide, const CellBox& box);
-  /// Gives `plane` memory, zero everywhere. False if there is none: problem() says why from then
-  /// on, and the canvas shows less than was painted. From any thread.
+  /// Gives `plane` memory, zero everywhere. Returns false if there is none left; then problem()
+  /// says why, and the canvas shows less than was painted. May be called from any thread.
   bool make(TilePlane& plane);
   /// The first failure to get memory or disk, if any.
   const Result<void>& problem() const { return problem_; }
-  /// Everything in the tile is in use now.
+  /// Notes that all planes of the tile are in use now.
   void mark_used(int tile) const;
-  /// Lets go of memory that was not used lately, as far as the store is told to.
+  /// Gives back memory that was not used lately (TileStore::trim()).
   void trim() const { store_.trim(); }
 
-  /// Channels of which the tile has a plane, ascending; each gets planes for all layers.
+  /// The channels of which the tile has a plane, ascending. Each of them gets planes for all
+  /// layers.
   std::vector<int> complete_channels(int tile);
-  /// Frees wet planes of the tile in which neither the guide nor the tile has anything.
+  /// Frees the wet planes of the tile that are zero both in the tile and, in its cells, on the
+  /// guide.
   void prune(int tile, const CanvasState& guide);
 
  private:
@@ -69,7 +73,7 @@ class DetailCanvas {
   std::vector<std::unique_ptr<DetailTile>> tile_;
 };
 
-/// Whether the guide has any of the quantity in the box.
+/// Whether `plane` has a value that is not 0 in the box.
 bool any_in(const Field<float>& plane, const CellBox& box);
 
 }  // namespace pentimento

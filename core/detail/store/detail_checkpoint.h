@@ -1,6 +1,6 @@
 #pragma once
-// What the detail canvas keeps from one step to the next beside its planes, as tables of whole
-// numbers: with the planes, all that it takes to go on as if nothing had happened.
+// The checkpoint: what the detail canvas keeps from step to step beside its planes, as tables of
+// whole numbers. With the planes it is all that a replay needs to go on as if it had never stopped.
 
 #include <cstdint>
 #include <vector>
@@ -11,16 +11,17 @@
 
 namespace pentimento {
 
-/// Columns of DetailCheckpoint::tile; from kCheckpointDepth on 1 says that the plane exists.
+/// Columns of DetailCheckpoint::tile. From kCheckpointDepth on, 1 says that the plane exists.
 enum TileColumn : int {
   kCheckpointMade,   // 1: the tile exists
-  kCheckpointRest,   // 0: looked through for planes to free; else 1 + steps since it was locked
-  kCheckpointDried,  // 1: it has reflectance
+  kCheckpointRest,   // 0: already searched for planes to free; else 1 + steps since the lock
+  kCheckpointDried,  // 1: the tile has reflectance
   kCheckpointDepth,
   kCheckpointPigment  // and on: [layer * channels + channel]
 };
 
-/// Bits of DetailCheckpoint::block. The first 24: to which layer each layer goes, three bits each.
+/// Bits of DetailCheckpoint::block. The first 24 say to which layer each layer goes, three bits
+/// each.
 inline constexpr int kCheckpointLayerBits = 3;
 inline constexpr std::uint32_t kCheckpointMerges = 1u << 24;  // then the bottom two become one
 inline constexpr std::uint32_t kCheckpointMismatched = 1u
@@ -30,27 +31,28 @@ inline constexpr std::uint32_t kCheckpointChanged = 1u << 26;  // since the last
 struct DetailCheckpoint {
   std::vector<std::uint32_t> tile;     // per tile of the layout: kCheckpointPigment + planes values
   std::vector<std::uint32_t> block;    // per cell of the guide, row by row
-  std::vector<std::uint32_t> waiting;  // per cell of the guide: one bit per fine cell, 1 = waits
-  std::vector<StampedBlock> stamped;   // that the brush was over lately
+  std::vector<std::uint32_t> waiting;  // per cell of the guide: a bit per fine cell, 1 = waits
+  std::vector<StampedBlock> stamped;   // blocks that the brush was over lately
 
   friend bool operator==(const DetailCheckpoint&, const DetailCheckpoint&) = default;
 };
 
-/// Values in `waiting` per cell of the guide: fine cell (x, y) of the block is bit
-/// (y factor + x) % 32 of value (y factor + x) / 32.
+/// How many values `waiting` has for each cell of the guide. Fine cell (x, y) of a block is bit (y
+/// factor + x) % 32 of value (y factor + x) / 32.
 constexpr int waiting_words(int factor) {
   return (factor * factor + 31) / 32;
 }
 
-/// Tables of the sizes that `layout` and `planes` (layers * channels) ask for, all 0.
+/// Tables for `layout` and `planes` (layers * channels), all 0.
 DetailCheckpoint make_checkpoint(const DetailLayout& layout, int planes);
 
-/// Notes of tiles (all but kCheckpointRest) and of open cells.
+/// The checkpoint of a canvas: its tiles (all but kCheckpointRest) and its open cells.
 DetailCheckpoint checkpoint_canvas(const DetailCanvas& canvas);
-/// The tile's open cells as they were noted.
+/// The open cells of a tile, from a checkpoint.
 OpenCells restore_open_cells(const DetailCheckpoint& checkpoint, const DetailLayout& layout,
                              int tile);
 
+/// Writes the changed blocks into a checkpoint, and reads them back.
 void checkpoint_changed(const ChangedBlocks& changed, const DetailLayout& layout,
                         DetailCheckpoint& checkpoint);
 void restore_changed(const DetailCheckpoint& checkpoint, const DetailLayout& layout,

@@ -1,6 +1,6 @@
 #pragma once
-// How the detail canvas lies over the guide: every guide cell is a block of factor x factor fine
-// cells, and tiles of whole blocks are what is stored and worked on. Pure geometry.
+// How the detail canvas lies over the guide. Every cell of the guide is a block of factor x factor
+// fine cells. Tiles of whole blocks are stored and worked on together. Pure geometry.
 
 #include <algorithm>
 
@@ -15,7 +15,8 @@ inline constexpr int kMostTileSide = 128;  // fine cells
 
 class DetailLayout {
  public:
-  /// `factor` in [1, kMostDetail]. Tiles are about 128 fine cells wide, and at least two blocks.
+  /// `factor`: the detail, in [1, kMostDetail]. A tile is about 128 fine cells wide, and at least
+  /// two blocks.
   DetailLayout(const CanvasGeometry& guide, int factor)
       : guide_(guide), factor_(factor), blocks_(std::max(2, kMostTileSide / factor)) {
     PENTIMENTO_CHECK(factor >= 1 && factor <= kMostDetail);
@@ -27,7 +28,7 @@ class DetailLayout {
   int factor() const { return factor_; }
   /// Guide cells along a tile's side.
   int blocks() const { return blocks_; }
-  /// Fine cells along a tile's side; tiles at the right and lower edge are stored whole.
+  /// Fine cells along a tile's side. Tiles at the right and the lower edge are stored whole.
   int side() const { return blocks_ * factor_; }
   int columns() const { return columns_; }
   int rows() const { return rows_; }

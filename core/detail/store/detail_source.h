@@ -1,5 +1,5 @@
 #pragma once
-// The detail canvas as a canvas to be shaded, dumped and compared.
+// The detail canvas as a CanvasSource, to be shaded, dumped and compared.
 
 #include <atomic>
 #include <shared_mutex>
@@ -9,9 +9,9 @@
 
 namespace pentimento {
 
-/// `canvas` and `guide` outlive it and do not change while it is read. Depth, pigments, base and
-/// reflectance are the detail canvas's own; velocities are the guide's, interpolated as the
-/// transport does; stroke ids are those of the guide's cells.
+/// `canvas` and `guide` must outlive the source and must not change while it is read. Depth,
+/// pigments, base and reflectance are those of the detail canvas. Velocities are the guide's,
+/// interpolated as advect_detail() does. Stroke ids are those of the guide's cells.
 class DetailSource final : public CanvasSource {
  public:
   DetailSource(const DetailCanvas& canvas, const CanvasState& guide);
@@ -33,7 +33,7 @@ class DetailSource final : public CanvasSource {
   const DetailCanvas& canvas_;
   const CanvasState& guide_;
   CanvasGeometry geometry_;
-  // Reading brings tiles back into memory, so every so often what was read is let go again.
+  // Reading brings tiles back into memory, so after some reads the store is trimmed again.
   mutable std::shared_mutex mutex_;
   mutable std::atomic<std::uint32_t> reads_{0};
 };

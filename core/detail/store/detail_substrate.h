@@ -1,6 +1,6 @@
 #pragma once
-// What lies under the first paint, at the detail canvas's own resolution: the relief of the fresh
-// paper and the reflectance of the ground. Asked for tile by tile, so that no stage holds all.
+// The substrate at the resolution of the detail canvas: the relief of the fresh paper and the
+// reflectance of the ground. It is asked for tile by tile, so that nobody holds all of it.
 
 #include <span>
 

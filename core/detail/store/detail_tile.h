@@ -1,6 +1,6 @@
 #pragma once
 // One tile of the detail canvas. A plane exists only while it is needed: depth and pigments while
-// something is wet, reflectance once something has dried.
+// the tile is wet, reflectance once something has dried.
 
 #include <cstdint>
 #include <utility>
@@ -12,8 +12,9 @@
 
 namespace pentimento {
 
-/// side x side floats of a TileStore, row by row; may be absent, which means zero (reflectance: the
-/// fresh ground). Move-only; gives its buffer back.
+/// A plane of a tile: side x side floats of a TileStore, row by row. It may be absent; that means
+/// zero everywhere, or for reflectance the fresh ground. Move-only; its destructor frees the
+/// buffer.
 class TilePlane {
  public:
   TilePlane() = default;
@@ -29,7 +30,7 @@ class TilePlane {
   explicit operator bool() const { return data_ != nullptr; }
   float* data() { return data_; }
   const float* data() const { return data_; }
-  /// Zero everywhere. Errors: those of the store; then the plane stays absent.
+  /// Gets a buffer of zeros. Errors: those of the store; then the plane stays absent.
   Result<void> allocate(TileStore& store) {
     Result<TileStore::Buffer> buffer = store.allocate();
     if (!buffer) return buffer.error();
@@ -54,8 +55,8 @@ class TilePlane {
   float* data_ = nullptr;
 };
 
-/// Which fine cells have followed their guide cell in opening a layer for its stroke. A stroke's
-/// edge runs through blocks: cells that its tip does not touch keep their layers as they are.
+/// Which fine cells have opened a layer for the stroke for which their guide cell opened one. The
+/// edge of a stroke runs through blocks, and cells that the tip does not touch keep their layers.
 struct OpenCells {
   std::vector<std::uint8_t> opened;      // per fine cell, side x side
   std::vector<LayerOpening> opening;     // per block: what opening its cells does
@@ -76,7 +77,7 @@ struct DetailTile {
   std::vector<TilePlane> reflectance;  // of the dry layer, per band; absent: fresh ground
 };
 
-/// A quantity that the lock and the transport work on: the depth, or a pigment plane.
+/// One wet quantity: the depth, or a pigment plane.
 struct WetPlane {
   int pigment = -1;  // [layer * channels + channel]; -1 is the depth
   TilePlane& of(DetailTile& tile) const {

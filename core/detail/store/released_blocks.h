@@ -1,5 +1,6 @@
 #pragma once
-// Which cells of the guide the brush has just left: fresh paint that nothing works on any more.
+// Which blocks the brush has just released: their paint is fresh, and the brush does not touch it
+// any more.
 
 #include <cstdint>
 #include <vector>
@@ -16,11 +17,11 @@ struct ReleasedBlock {
   Vec2f way;      // of the last stamp over it: a unit vector, or (0, 0) for a tap
 };
 
-/// A block that a stamp was over and that has not been left yet.
+/// A block that a stamp was over and that is not released yet.
 struct StampedBlock {
   int x = 0, y = 0;  // of the guide
   Vec2f way;         // of the last stamp
-  bool now = false;  // in the step that has not ended, else in the one before
+  bool now = false;  // whether in this step; else in the step before
   friend bool operator==(const StampedBlock&, const StampedBlock&) = default;
 };
 
@@ -32,14 +33,16 @@ class ReleasedBlocks {
         mark_(layout.guide().width, layout.guide().height),
         way_(layout.guide().width, layout.guide().height) {}
 
-  /// A stamp was over the cells of `box`, which lies on the canvas, on its way along `way`.
+  /// Notes that a stamp was over the cells of `box`, which lies on the canvas. `way`: the stamp's
+  /// direction, a unit vector or (0, 0).
   void stamped(const CellBox& box, Vec2f way);
-  /// Ends a step. The cells that were stamped before it and not in it, by rows.
+  /// Ends a step. Returns the blocks that were stamped in the step before and not in this one, by
+  /// rows.
   std::vector<ReleasedBlock> step();
   void clear();
-  /// What step() will tell of later, by rows.
+  /// The blocks that a later step() will release, by rows.
   std::vector<StampedBlock> stamped() const;
-  /// Takes up what stamped() gave; the blocks lie on the canvas.
+  /// Goes on with what stamped() gave. The blocks lie on the canvas.
   void restore(const std::vector<StampedBlock>& stamped);
 
  private:

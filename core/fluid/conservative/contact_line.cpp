@@ -52,7 +52,7 @@ ContactLine::ProfileTaps ContactLine::taps_around(float from_x, float from_y, fl
   return taps;
 }
 
-// Sums in four lanes, which do not wait for one another.
+// Sums in four lanes, so that additions need not wait for one another.
 float ContactLine::mean_depth(const Field<float>& depth_m, const ProfileTaps& taps, int x, int y) {
   float lane[4] = {0, 0, 0, 0};
   float beyond = 0;  // weight of what lies outside the canvas

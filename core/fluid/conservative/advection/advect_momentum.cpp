@@ -16,8 +16,8 @@ struct FaceFlow {
   const float* mass;
 };
 
-// Displacement of an edge between two faces: their mean velocity, by mass, so that a front next to
-// dry canvas moves as fast as its paint.
+// Displacement of an edge between two faces: the mean of their velocities weighted by mass, so that
+// a front beside bare canvas moves as fast as its paint.
 PENTIMENTO_KERNEL
 void mean_row(const FaceFlow& a, const FaceFlow& b, float to_cells, int n, float* __restrict edge) {
   const float* __restrict mass_a = a.mass;
@@ -32,9 +32,10 @@ void mean_row(const FaceFlow& a, const FaceFlow& b, float to_cells, int n, float
   }
 }
 
-// Edges of x nodes moving along x, and of y nodes along y, are cell centres: between the two faces
-// of that cell. Edges of the other component's nodes are corners of cells: between the two faces
-// that meet there, of this column and the next, or of this row and the next.
+// An edge lies between two nodes. If x nodes move along x, or y nodes along y, the edge is the
+// centre of a cell, between the two faces of that cell. If nodes move across their axis, the edge
+// is the corner of a cell, between the two faces that meet there, of this column and the next or of
+// this row and the next.
 // `other`: how far the second face is from the first.
 struct Offset {
   int x = 0, y = 0;
@@ -59,7 +60,8 @@ struct MomentumEdges {
   Axis axis;
   const WorkPlane& mass;  // of the nodes that move along their own axis
 
-  // `along`: edges between nodes of that component; else between those of the other.
+  // `along`: whether the nodes belong to the component of `axis`; else they belong to the other
+  // one.
   void fill(const LineBatch& b, bool along, std::vector<float>& edge) const {
     const bool next_column = (axis == Axis::kX) == along;
     const Field<float>& u = axis == Axis::kX ? state.velocity_x_m_s : state.velocity_y_m_s;
@@ -80,15 +82,18 @@ Nodes nodes_y(const CanvasState& state, Workspace& work) {
   return {work.y, state.velocity_y_m_s};
 }
 
+// Moves a batch as flat arrays.
 struct BatchMover {
   RemapPlan plan;
   RemapScratch scratch;
 
   void move(const LineBatch& b, const RemapOptions& options, Turn turn, const Nodes& moved) {
     NodePlanes& nodes = moved.planes;
+    // Plan where each node's fluid goes, ...
     plan_remap(plan);
     float* mass = scratch.cells(scratch.value, plan.step);
     float* velocity = scratch.cells(scratch.momentum, plan.step);
+    // ... take mass and velocity from before this turn, ...
     if (turn == Turn::kFirst) {
       load_batch(b, nodes.first_mass_m, mass);
       load_batch(b, moved.state_m_s, velocity);
@@ -96,13 +101,15 @@ struct BatchMover {
       load_batch(b, nodes.mass_m, mass);
       load_batch(b, nodes.velocity_m_s, velocity);
     }
+    // ... and move both.
     remap_momentum_batch(plan, options, scratch);
     store_batch(b, mass, nodes.mass_m);
     store_batch(b, velocity, nodes.velocity_m_s);
   }
 };
 
-// Moves a batch of columns along y row by row: in place the second time, from what was the first.
+// Moves a batch of columns along y, row by row. The first turn reads the state and
+// fill_node_masses(); the second turn works in place.
 struct RowMover {
   std::vector<float> edge;
   EdgeStream edges;
@@ -134,6 +141,8 @@ struct RowMover {
       return ThreeRows{row(std::max(r - 1, 0)), row(r), row(std::min(r + 1, height - 1))};
     };
     const bool all_near = !any_beyond_row(edge.data(), kNear, static_cast<int>(edge.size()));
+    // Row r's fluxes need rows r - 1 to r + 1 as they were, so row r - 1 is written once they are
+    // done.
     stream.begin();
     for (int r = 0; r <= height; ++r) {
       if (r < height) {
@@ -144,6 +153,7 @@ struct RowMover {
         stream.end(r);
       }
       if (r == 0) continue;
+      // The first turn must leave its input as it is: row r - 1 is copied before it changes.
       if (first) {
         std::copy_n(mass_before(r - 1), n, row_of(nodes.mass_m, r - 1));
         std::copy_n(velocity_before(r - 1), n, row_of(nodes.velocity_m_s, r - 1));
@@ -151,6 +161,7 @@ struct RowMover {
       stream.gather(edges, r - 1, row_of(nodes.mass_m, r - 1), row_of(nodes.velocity_m_s, r - 1),
                     all_near);
     }
+    // Fluid that moves further than to the next node is added last; momentum then becomes velocity.
     if (all_near) return;
     const auto target = [&](WorkPlane& plane) {
       return [&plane, &b](int r, int lane) -> float& {

@@ -16,8 +16,8 @@ std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
 
-// All that one thread needs to move the paint of a run of a row along x; kept between runs. Rows of
-// cells have one cell more at each end.
+// All that one thread needs to move the paint of a run along x. The buffers are kept from run to
+// run; a row of cells in them has one cell more at each end.
 class PaintRow {
  public:
   PaintRow(CanvasState& state, const StepInput& in)
@@ -31,9 +31,13 @@ class PaintRow {
 
   void move(const Run& r) {
     resize(r);
+    // How far flow and push carry each edge. A run where no edge moves is left alone.
     if (!fill_edges() && in_.listener == nullptr) return;
+    // The edges of the depth. Where they would crowd the paint, they give way.
     limit_depth();
+    // Where in the film each layer lies, and what of the bottom layer is free (R18, R19).
     find_layers();
+    // The depth moves with its edges, then each layer with edges of its own.
     move_depth();
     for (int layer = 0; layer < state_.layers; ++layer) move_layer(layer);
   }
@@ -55,7 +59,8 @@ class PaintRow {
   static float* cells(Field<float>& f) { return f.row(0) + kSide; }
   float* row_of(Field<float>& plane) const { return plane.row(r_.y) + r_.x0; }
 
-  // Edge e of n + 1 lies before cell e; the first and the last are walls. Whether any moves.
+  // Edge e of n + 1 lies before cell e; the first and the last are walls. Returns whether any edge
+  // moves.
   bool fill_edges() {
     const float per_m = 1 / state_.geometry.dx_m();
     float* flow = cells(flow_);
@@ -72,7 +77,8 @@ class PaintRow {
     return moves;
   }
 
-  // Edges of the depth; where they come too near one another, they and the flow give way.
+  // Finds the edges of the depth. Where edges come too near one another, they and the flow give way
+  // (crowd_limit.h).
   void limit_depth() {
     float* edge = cells(edge_);
     depth_edge_row(cells(flow_), cells(push_), n_ + 1, edge);
@@ -91,7 +97,8 @@ class PaintRow {
     return value;
   }
 
-  // Which layers the cells have and where they lie, and the share of the bottom one that may move.
+  // Finds which layers the cells have, where these lie in the film, and which share of the bottom
+  // layer may move.
   void find_layers() {
     std::fill_n(cells(share_), n_, 0.0f);
     std::fill_n(cells(total_), n_, 0.0f);
@@ -115,7 +122,8 @@ class PaintRow {
     return std::find(begin, begin + state_.channels, true) != begin + state_.channels;
   }
 
-  // Plans where the cells go; far_ are those that go far.
+  // Plans where the cells go, from edge_. Cells that go further than the next cell are listed in
+  // far_.
   void plan() {
     const float* edge = cells(edge_);
     float* stay = cells(stay_);
@@ -150,6 +158,7 @@ class PaintRow {
     }
   }
 
+  // Moves what is free of one channel of the bottom layer; the residue stays (R19).
   void move_bottom(float* amount) {
     float* free = cells(value_);
     split_residue_row(amount, cells(share_), amount_options_.rounder, n_, cells(held_), free);
@@ -159,19 +168,21 @@ class PaintRow {
     rejoin_residue_row(cells(held_), n_, amount);
   }
 
-  // `value`: what is in `amount`, with its ends mirrored.
+  // Moves one quantity. `value` is a copy of `amount` with its ends mirrored.
   void move_quantity(const RemapOptions& options, const float* value, float* amount) {
     float* lo = cells(out_lo_);
     float* hi = cells(out_hi_);
     const ThreeRows rows{value - 1, value, value + 1};
+    // Near cells pass parts to their neighbours, then all cells take what came.
     flux_rows(options, {cells(tau_lo_), cells(tau_hi_)}, rows, n_, lo, hi);
     gather_rows(cells(stay_), {hi - 1, hi, lo, lo + 1}, n_, amount);
     if (far_.empty()) return;
+    // Far cells passed nothing yet: each is laid over the cells that its image covers.
     const std::vector<FarCell> far = take_far_cells(far_, cells(edge_), options, rows);
     put_far_cells(far, n_, options.rounder, [&](int i, int) -> float& { return amount[i]; });
   }
 
-  // Tells the follower where the edges go: of the depth (0) or of layer `quantity` - 1.
+  // Tells the listener where the edges go: those of the depth (0), or of layer `quantity` - 1.
   void record(int quantity) {
     if (in_.listener == nullptr) return;
     std::copy_n(cells(edge_) + 1, n_ - 1, row_of(in_.listener->edges().x[at(quantity)]));
@@ -181,13 +192,13 @@ class PaintRow {
   CanvasState& state_;
   const StepInput& in_;
   RemapOptions depth_options_, amount_options_;
-  std::vector<bool> painted_;  // the channels that are in the row at all
+  std::vector<bool> painted_;  // per layer and channel: whether the row has any of it
   Run r_;
   int n_ = 0;
   Field<float> flow_, push_, edge_;  // displacement of edges, in cells
   Field<float> tau_lo_, tau_hi_, stay_, value_, out_lo_, out_hi_;
   Field<float> total_, below_, share_, held_;
-  std::vector<Field<float>> middle_, layer_;  // of each layer: where it lies, and how much of it
+  std::vector<Field<float>> middle_, layer_;  // of each layer: where it lies, and how much moves
   std::vector<int> far_;
 };
 

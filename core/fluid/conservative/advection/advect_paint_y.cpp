@@ -15,13 +15,14 @@ std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
 
-// Which of three rows in a window have something.
+// For each of the three rows in a window: whether it has something.
 struct RowFlags {
   std::array<bool, 3> flag{};
   bool& at(int r) { return flag[static_cast<std::size_t>((r + 3) % 3)]; }
 };
 
-// How far the edges of a batch of columns move: flow, push and both, rows of edges 0 to height.
+// How far the edges of a batch of columns move, in cells: by the flow, by the push, and the edges
+// of the depth by both. The rows of edges go from 0 to the height.
 class BatchEdges {
  public:
   void fill(const CanvasState& state, const StepInput& in, const LineBatch& b, int strip_width) {
@@ -29,6 +30,7 @@ class BatchEdges {
     const std::size_t edges = at(b.cells() + width_);
     for (std::vector<float>* v : {&flow_, &depth_})
       if (v->size() < edges) v->resize(edges);
+    // Flow and push of each row of edges; the first and the last row are walls.
     pushed_ =
         !in.contact.empty() && in.contact.row_begin <= b.box.y1 && in.contact.row_end >= b.box.y0;
     push_.assign(pushed_ ? edges : at(width_), 0);
@@ -37,6 +39,8 @@ class BatchEdges {
     for (int r = 1; r < b.height(); ++r) fill_row(state, in, b, r);
     for (int r = 0; r <= b.height(); ++r)
       depth_edge_row(flow(r), push(r), width_, depth_.data() + r * width_);
+    // The edges of the depth, limited strip by strip, so that it does not matter how many strips
+    // make a batch.
     const float most_m = kMostDepthShare * in.model.max_medium_m;
     for (int x = 0; x < width_; x += strip_width)
       limit_strip(state, b, x, std::min(strip_width, width_ - x), most_m);
@@ -61,12 +65,13 @@ class BatchEdges {
     if (any_motion_row(push, width_)) moves_[at(r)] = 1;
   }
 
-  // Where edges come too near one another in a strip, they and the flow give way (crowd_limit.h).
+  // Where edges of a strip come too near one another, they and the flow give way (crowd_limit.h).
   void limit_strip(const CanvasState& state, const LineBatch& b, int x0, int n, float most_m) {
     const int height = b.height();
     const auto depth = [&](int r) {
       return state.depth_m.row(b.box.y0 + std::clamp(r, 0, height - 1)) + b.box.x0 + x0;
     };
+    // Most strips have no cell that is too narrow; they are left alone.
     int crowded = 0;
     for (int r = 0; r < height; ++r) {
       if (!moves(r) && !moves(r + 1)) continue;
@@ -75,6 +80,7 @@ class BatchEdges {
       crowded += count_crowded_row(row, most_m, n);
     }
     if (crowded == 0) return;
+    // The limit works on flat arrays of the strip; what it moved is copied back.
     std::vector<float> strip_depth(at(n * (height + 2))), edge(at(n * (height + 1)));
     for (int r = -1; r <= height; ++r) std::copy_n(depth(r), n, strip_depth.data() + (r + 1) * n);
     for (int r = 0; r <= height; ++r) std::copy_n(this->depth(r) + x0, n, edge.data() + r * n);
@@ -90,17 +96,18 @@ class BatchEdges {
   int width_ = 0;
   bool pushed_ = false;
   std::vector<float> flow_, push_, depth_;  // displacement of edges, in cells
-  std::vector<std::uint8_t> moves_;         // whether any edge of a row does
+  std::vector<std::uint8_t> moves_;         // whether any edge of a row moves
 };
 
-// One channel of one layer.
+// One channel of one layer on its way through the window.
 struct ChannelStream {
   QuantityStream quantity;
   RowFlags painted;
-  RowRing free, held;  // of the bottom layer
+  RowRing free, held;  // of the bottom layer: what may move, what stays
 };
 
-// All that one thread needs to move the paint of a batch of columns along y; kept between batches.
+// All that one thread needs to move the paint of a batch of columns along y. The buffers are kept
+// from batch to batch.
 class PaintStream {
  public:
   PaintStream(CanvasState& state, const StepInput& in, int strip_width)
@@ -111,14 +118,18 @@ class PaintStream {
 
   void move(const LineBatch& b) {
     resize(b);
+    // How far each edge moves, for the whole batch.
     edges_.fill(state_, in_, b, strip_width_);
     const int height = b.height();
+    // Down the rows. Each turn finds what leaves row r, while rows r - 1 and r + 1 are still as
+    // they were, and then writes row r - 1, for which all that comes in is known.
     prepare(0);
     for (int r = 0; r <= height; ++r) {
       if (r + 1 < height) prepare(r + 1);
       move_depth(r);
       for (int layer = 0; layer < state_.layers; ++layer) move_layer(layer, r);
     }
+    // Far cells are laid last, over rows that are done.
     put_far();
   }
 
@@ -126,7 +137,7 @@ class PaintStream {
   struct StreamedLayer {
     EdgeStream edges;
     RowRing edge;
-    RowRing middle;       // where it lies in the film
+    RowRing middle;       // where the layer lies in the film
     Field<float> sum;     // of its pigment in the row that is prepared
     int edges_done = -1;  // the last row of edges in `edge`
     RowFlags painted;
@@ -169,7 +180,8 @@ class PaintStream {
   bool within(int r) const { return r >= 0 && r < b_.height(); }
   int clamped(int r) const { return std::clamp(r, 0, b_.height() - 1); }
 
-  // Which layers row r has and where they lie, and what of the bottom one is free to move.
+  // Reads row r before it moves: which layers it has, where these lie in the film, and what of the
+  // bottom layer is free to move.
   void prepare(int r) {
     float* total = total_.row(0);
     float* below = below_.row(0);
@@ -191,11 +203,13 @@ class PaintStream {
       if (painted) add_row(sum, n_, total);
     }
     for (StreamedLayer& layer : layers_) {
+      // The middle of each layer in the film (R18).
       if (layer.painted.at(r))
         layer_middle_row(layer.sum.row(0), total, n_, below, layer.middle.row(r));
       else
         std::fill_n(layer.middle.row(r), n_, 0.0f);
     }
+    // What of the bottom layer is free, and what its residue holds (R19).
     if (!layers_.front().painted.at(r)) return;
     for (int c = 0; c < state_.channels; ++c) {
       ChannelStream& channel = layers_.front().channels[at(c)];
@@ -205,6 +219,7 @@ class PaintStream {
     }
   }
 
+  // What leaves row r, then what row r - 1 becomes.
   void move_depth(int r) {
     if (within(r)) {
       depth_edges_.plan(r, edges_.depth(r), edges_.depth(r + 1),
@@ -219,6 +234,7 @@ class PaintStream {
     if (r > 0) depth_.gather(depth_edges_, r - 1, row_of(state_.depth_m, r - 1));
   }
 
+  // The same for layer k, over edges of its own, which are computed when a row needs them.
   void move_layer(int k, int r) {
     StreamedLayer& layer = layers_[at(k)];
     if (within(r)) {
@@ -233,7 +249,7 @@ class PaintStream {
     for (int c = 0; c < state_.channels; ++c) move_channel(k, c, r);
   }
 
-  // The row of edges r: of layer k between the rows of cells r - 1 and r.
+  // Fills row r of the edges of layer k, which lies between the rows of cells r - 1 and r.
   void fill_edges(int k, int r) {
     StreamedLayer& layer = layers_[at(k)];
     if (layer.edges_done >= r) return;
@@ -287,7 +303,8 @@ class PaintStream {
         put(layers_[at(k)].channels[at(c)].quantity, amount_options_.rounder, state_.channel(k, c));
   }
 
-  // Tells the follower where row r of the edges goes: of the depth (0) or of layer `quantity` - 1.
+  // Tells the listener where row r of the edges goes: those of the depth (0), or of layer
+  // `quantity` - 1.
   void record(int quantity, int r, const float* edge) {
     if (in_.listener == nullptr) return;
     std::copy_n(edge, n_, row_of(in_.listener->edges().y[at(quantity)], r - 1));

@@ -1,7 +1,7 @@
 #pragma once
-// One axis of one step's transport: paint (depth and every channel of every layer) and the
-// momentum of velocity nodes, by forward remap, batch by batch. Velocities are those at the start
-// of the step throughout.
+// Advection along one axis, by forward remap, batch by batch: of paint (depth and every channel of
+// every layer), and of the momentum of velocity nodes. All of it uses the velocities at the start
+// of the step.
 
 #include "core/canvas/canvas_state.h"
 #include "core/canvas/cell_box.h"
@@ -11,26 +11,30 @@
 
 namespace pentimento::conservative {
 
-/// The axis that moves first in a step, or the other.
+/// Whether an axis moves first in a step or second.
 enum class Turn { kFirst, kSecond };
 
-/// Fluid around each node from the depths, before any transport: the mean of the two cells.
+/// Fills first_mass_m of both components: the paint around each node before anything moves, which
+/// is the mean of the depths of its two cells.
 void fill_node_masses(const CanvasState& state, const SleepTiles& tiles, const Threads& threads,
                       Workspace& work);
 
-/// Moves mass and velocity of both components' nodes along `axis`: the first time those of
-/// fill_node_masses and of the state, then what the first time left.
+/// Moves mass and velocity of the nodes of both components along `axis`. The first turn takes the
+/// masses of fill_node_masses() and the velocities of the state; the second turn takes what the
+/// first turn left.
 void advect_momentum(const CanvasState& state, const StepInput& in, Axis axis, Turn turn,
                      const SleepTiles& tiles, Workspace& work);
 
-/// The plain way to do it, along either axis: batch after batch, each in flat arrays. The same
-/// bits; along y, advect_momentum goes row by row (remap_stream.h).
+/// The plain way to do the same, along either axis: batch after batch, each in flat arrays. It
+/// gives the same bits. advect_momentum() uses it along x; along y it goes row by row
+/// (remap_stream.h).
 void advect_momentum_in_batches(const CanvasState& state, const StepInput& in, Axis axis, Turn turn,
                                 const SleepTiles& tiles, Workspace& work);
 
-/// Moves depth with the velocity plus half the brush's push, and every channel of a layer with
-/// Model::layer_speed velocities plus the push, both times the height of the layer's middle in the
-/// film (R18, layer_speed_row.h). Of layer 0, only what exceeds the residue moves (R19).
+/// Moves depth and every channel of every layer along one axis. The depth moves with the velocity
+/// plus half of the brush's push. A layer moves with Model::layer_speed times the velocity plus the
+/// push, both times the height of the layer's middle in the film (R18, layer_speed_row.h). Of layer
+/// 0 only what exceeds the residue moves (R19).
 void advect_paint_along_x(CanvasState& state, const StepInput& in, const SleepTiles& tiles);
 void advect_paint_along_y(CanvasState& state, const StepInput& in, const SleepTiles& tiles);
 inline void advect_paint(CanvasState& state, const StepInput& in, Axis axis,

@@ -1,5 +1,5 @@
 #pragma once
-// What a face knows of the paint on its two sides.
+// Faces: what a face takes from the paint on its two sides.
 
 namespace pentimento::conservative {
 
@@ -26,7 +26,7 @@ struct FaceParameters {
   float friction_dt_s = 0;         // 3 dt Model::bed_friction
 };
 
-/// Depth, mobility, viscosity and friction of faces between the cells a and b.
+/// Finds depth, mobility, viscosity and friction of the faces between the cells a and b.
 ///   d_f = max(0, max(h_a, h_b) - max(b_a, b_b)); mobility, nu: means weighted by the cells' depth;
 ///   friction = 1 / (1 + 3 nu dt / d_f^2)
 /// Scheme: hydrostatic reconstruction; friction implicit, 1st order, exact at its steady state.

@@ -1,5 +1,6 @@
 #pragma once
-// Limited differences for linear profiles in cells; inlined into the remap kernels.
+// Limiters: the slope of a cell's linear profile from the differences to its two neighbours.
+// Inlined into the remap kernels.
 
 #include <cmath>
 
@@ -12,7 +13,8 @@ inline float larger_magnitude(float a, float b) {
   return std::fabs(a) > std::fabs(b) ? a : b;
 }
 
-/// Monotonised central difference: the mean difference, at most twice either; 0 at extrema.
+/// Monotonised central difference (MC): the mean of the two differences, at most twice either of
+/// them; 0 at extrema.
 /// Source: van Leer, J. Comput. Phys. 23 (1977) 276-299.
 inline float limited_mc(float below, float above) {
   const float steep = smaller_magnitude(2 * below, 2 * above);
@@ -20,7 +22,8 @@ inline float limited_mc(float below, float above) {
   return below * above > 0 ? slope : 0.0f;
 }
 
-/// Half of it, in fewer operations: where it is not 0, both differences have the same sign.
+/// Half of limited_mc(), in fewer operations: where it is not 0, both differences have the same
+/// sign.
 inline float half_limited_mc(float below, float above) {
   const float size_below = std::fabs(below);
   const float size_above = std::fabs(above);

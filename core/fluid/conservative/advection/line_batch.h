@@ -1,6 +1,6 @@
 #pragma once
-// A rectangle of cells as the flat array the remap works on (remap_plan.h): one run of a row that
-// moves along x, or one strip of columns that moves along y. Loads, stores, edge displacements.
+// Line batches: a rectangle of cells as the flat array that the remap works on (remap_plan.h). It
+// is a run of a row that moves along x, or a strip of columns that moves along y.
 
 #include <algorithm>
 
@@ -22,7 +22,7 @@ struct LineBatch {
 /// Copies the batch's cells of a plane (anything with row(y)) to or from a flat array.
 template <typename Plane>
 void load_batch(const LineBatch& b, const Plane& plane, float* out) {
-  constexpr int kAhead = 12;  // rows of a strip lie pages apart, which hardware does not foresee
+  constexpr int kAhead = 12;  // rows of a strip lie pages apart: fetch them early
   for (int y = b.box.y0; y < b.box.y1; ++y, out += b.width()) {
     if (y + kAhead < b.box.y1) {
       const float* ahead = plane.row(y + kAhead) + b.box.x0;
@@ -38,8 +38,9 @@ void store_batch(const LineBatch& b, const float* in, Plane& plane) {
     std::copy_n(in, b.width(), plane.row(y) + b.box.x0);
 }
 
-/// Calls body(first, n) for each row of inner edges: edges [first, first + n) lie between the
-/// cells [first - step, ...) and [first, ...). The two end edges of a line are walls.
+/// Calls body(first, n, x, y) for each row of inner edges. The edges [first, first + n) lie between
+/// the cells [first - step, ...) and [first, ...); (x, y) is the cell before the first of them. The
+/// two end edges of a line are walls.
 template <typename Body>
 void for_inner_edges(const LineBatch& b, const Body& body) {
   if (b.axis == Axis::kX) {
@@ -49,7 +50,8 @@ void for_inner_edges(const LineBatch& b, const Body& body) {
   }
 }
 
-/// Calls body(block) for all awake batches along `axis`, in parallel.
+/// Calls body(begin, end, batch_at) in parallel: for each k in [begin, end), batch_at(k) is an
+/// awake batch that moves along `axis`.
 template <typename Body>
 void for_batches(const SleepTiles& tiles, Axis axis, const Threads& threads, const Body& body) {
   if (axis == Axis::kX) {
@@ -68,9 +70,9 @@ void for_batches(const SleepTiles& tiles, Axis axis, const Threads& threads, con
   }
 }
 
-/// The same for batches that move along y row by row: strips side by side that begin and end in the
-/// same rows, up to 256 columns together; what the window of such a batch needs fits a core's
-/// cache.
+/// The same for batches that move along y row by row. Such a batch is strips side by side that
+/// begin and end in the same rows, up to 256 columns together, so that its window of rows fits into
+/// the cache of a core.
 template <typename Body>
 void for_wide_batches(const SleepTiles& tiles, const Threads& threads, const Body& body) {
   constexpr int kWidth = 256;

@@ -1,5 +1,5 @@
 #pragma once
-// The cells of a batch that move far: their image covers any number of cells (remap_plan.h).
+// Far cells: cells of a batch whose image covers any number of cells (remap_plan.h).
 
 #include <functional>
 #include <vector>
@@ -8,23 +8,24 @@
 
 namespace pentimento::conservative {
 
-/// A far cell, with its linear profile, as it was before anything moved.
+/// A far cell with its linear profile, as it was before anything moved.
 struct FarCell {
   int at = 0;                      // along its line
-  int lane = 0;                    // which line of the block
+  int lane = 0;                    // which line of the batch
   float edge_lo = 0, edge_hi = 0;  // how far its edges move, in cells
   float value = 0;                 // amount
   float slope = 0;                 // limited difference across the cell
 };
 
-/// Where cell `at` of line `lane` is stored.
+/// Gives the place where cell `at` of line `lane` is stored.
 using FarTarget = std::function<float&(int at, int lane)>;
 
-/// The cells that the plan marks; `value` has valid ghosts.
+/// Takes the far cells of a plan. `value` has valid ghost cells.
 std::vector<FarCell> take_far_cells(const RemapPlan& plan, const RemapOptions& options,
                                     const float* value);
 
-/// The same of a single line: cells `far` of it, between the edges i and i + 1 of `edge`.
+/// The same for the cells `far` of a single line. Cell i lies between the edges i and i + 1 of
+/// `edge`.
 std::vector<FarCell> take_far_cells(const std::vector<int>& far, const float* edge,
                                     const RemapOptions& options, const ThreeRows& value);
 

@@ -1,12 +1,13 @@
 #pragma once
-// Moves the fluid of velocity nodes with its momentum along one axis.
+// Moves the fluid around velocity nodes, with its momentum, along one axis.
 
 #include "core/fluid/conservative/advection/remap_row.h"
 
 namespace pentimento::conservative {
 
-/// Moves mass (scratch.value) and velocity (scratch.momentum, m/s) of a batch of nodes; leaves the
-/// moved mass and the velocity momentum / mass there, 0 where no mass is. Ends are walls.
+/// Moves mass (scratch.value) and velocity (scratch.momentum, m/s) of a batch of nodes. Leaves
+/// there the moved mass and the new velocity, momentum / mass, which is 0 where there is no mass.
+/// The ends are walls.
 ///   m' = sum of parts of m; u' = (sum of parts of m, times their u) / m'
 /// Scheme: piecewise linear in m and u, 2nd order where smooth.
 /// Stable: any displacement; u' stays within the velocities of the parts.
@@ -15,8 +16,8 @@ namespace pentimento::conservative {
 void remap_momentum_batch(const RemapPlan& plan, const RemapOptions& options,
                           RemapScratch& scratch);
 
-/// The last step of it, on a row: momentum becomes velocity, and nodes with next to no paint are
-/// emptied.
+/// The last step of the above, on a row: turns momentum into velocity, and empties nodes with next
+/// to no paint.
 void velocity_row(float* mass, float* momentum, int cells);
 
 }  // namespace pentimento::conservative

@@ -1,5 +1,5 @@
 #pragma once
-// Moves one quantity of a batch (remap_plan.h) along one axis.
+// Remaps one quantity of a batch along one axis, by a plan (remap_plan.h).
 
 #include <vector>
 
@@ -27,22 +27,23 @@ struct RemapScratch {
 /// Fills the ghosts with copies of the end cells: no slope across the ends.
 void mirror_ends(float* value, int cells, int step);
 
-/// Moves the batch's cells: reads scratch.value, leaves the result there. Ends are walls. Sums are
-/// exact and nothing is negative if values are multiples of the quantum and below 2^24 quanta.
+/// Moves the cells of a batch. Reads scratch.value and leaves the result there. The ends are walls.
+/// If the values are multiples of the quantum and below 2^24 quanta, sums are exact and nothing
+/// becomes negative.
 void remap_batch(const RemapPlan& plan, const RemapOptions& options, RemapScratch& scratch);
 
-/// What each cell passes to its two neighbours.
+/// Finds what each cell passes to its two neighbours.
 ///   out_hi = tau_hi (m + s/2 (1 - tau_hi)), out_lo = tau_lo (m - s/2 (1 - tau_lo)), rounded to
 ///   quanta and never more than there is; s: limited difference of the neighbours
 /// Scheme: piecewise linear, 2nd order where smooth; monotone.
 /// Stable: any displacement the plan allows.
 /// Source: Lauritzen et al. 2010 (remap_plan.h), profiles of van Leer 1977 (limiter.h).
 /// Departs from it: moved parts are whole quanta, so that sums are exact.
-/// `value` has `step` cells before and after; cells whose stay is 0 pass nothing.
+/// `value` has `step` more cells before and after. Far cells (stay = 0) pass nothing.
 void remap_flux_row(const RemapPlan& plan, const RemapOptions& options, const float* value,
                     float* out_lo, float* out_hi);
 
-/// value = stay value - out_lo - out_hi + what the neighbours pass. Exact for whole quanta.
+/// value = stay value - out_lo - out_hi + what the two neighbours pass. Exact for whole quanta.
 void remap_gather_row(const RemapPlan& plan, const float* out_lo, const float* out_hi,
                       float* value);
 

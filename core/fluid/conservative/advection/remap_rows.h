@@ -1,35 +1,36 @@
 #pragma once
-// The kernels of the remap (remap_row.h, remap_momentum.h) with the neighbours of each cell in rows
-// of their own: the rows above and below where paint moves along y, the same row shifted by a cell
-// where it moves along x. Equations, scheme and sources are theirs; the bits are the same.
+// The kernels of the remap, with the neighbours of each cell in rows of their own. If paint moves
+// along y, these are the rows above and below; if paint moves along x, they are the same row
+// shifted by a cell. Equations, scheme and sources are those of remap_row.h and remap_momentum.h,
+// and the bits are the same.
 
 #include "core/fluid/conservative/advection/remap_row.h"
 
 namespace pentimento::conservative {
 
-/// A quantity of a row of cells, and of the cells before and after each along the motion. At a wall
-/// the missing cell is the cell itself.
+/// A quantity in a row of cells, and in the cells before and after each of them along the motion.
+/// At a wall the cell itself takes the place of the missing neighbour.
 struct ThreeRows {
   const float* before;
   const float* here;
   const float* after;
 };
 
-/// Something of a row's low edges and high edges.
+/// A quantity at the low edges and at the high edges of a row.
 struct LoHi {
   const float* lo;
   const float* hi;
 };
 
-/// What n cells pass over their two edges.
+/// Finds what n cells pass over their two edges (remap_flux_row()).
 void flux_rows(const RemapOptions& options, const LoHi& tau, const ThreeRows& value, int n,
                float* out_lo, float* out_hi);
 
-/// The momentum that goes with the mass `mass_out`.
+/// Finds the momentum that goes over the edges with the mass `mass_out`.
 void momentum_flux_rows(const LoHi& tau, const ThreeRows& velocity, const LoHi& mass_out, int n,
                         float* out_lo, float* out_hi);
 
-/// What leaves a row of cells, and what comes from its neighbours.
+/// What leaves a row of cells, and what comes from the neighbours.
 struct Parts {
   const float* hi_before;
   const float* hi;

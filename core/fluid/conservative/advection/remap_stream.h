@@ -1,8 +1,8 @@
 #pragma once
-// The forward remap (remap_plan.h, remap_row.h) along y, in place, row after row over whole rows of
-// planes: what leaves row r needs rows r-1 to r+1 as they were, and what row r becomes needs what
-// leaves rows r-1 to r+1, so a window of three rows is all that is kept. The same bits as
-// remap_batch on the same columns.
+// The forward remap (remap_plan.h, remap_row.h) along y, in place, row after row. What leaves row r
+// follows from rows r-1 to r+1 as they were. What row r becomes follows from what leaves rows r-1
+// to r+1. So a window of three rows is enough. It gives the same bits as remap_batch() on the same
+// columns.
 
 #include <array>
 #include <vector>
@@ -13,10 +13,10 @@
 
 namespace pentimento::conservative {
 
-/// Rows r of a window of three: row r + 3 takes the place of row r.
+/// A window of three rows: row r + 3 takes the place of row r.
 class RowRing {
  public:
-  /// Keeps its memory when it gets no wider.
+  /// Makes rows of at least n values. Keeps the memory if it is wide enough.
   void resize(int n) {
     if (n > rows_.width()) rows_ = Field<float>(n, 3);
   }
@@ -27,13 +27,13 @@ class RowRing {
   Field<float> rows_;
 };
 
-/// Where the cells of a row go, and which stay in the row before: shared by all that moves with the
-/// same velocity.
+/// The plan of the row at hand, and which cells stay in the rows before. All quantities that move
+/// with the same velocity share it.
 class EdgeStream {
  public:
   void resize(int n);
   /// Plans row r from its two rows of edges. Rows come one after the other, from 0.
-  /// `moves`: false if it is known that no edge does; then nothing is read.
+  /// `moves`: false if it is known that no edge moves; then the edges are not read.
   void plan(int r, const float* edge_lo, const float* edge_hi, bool moves);
   bool moves(int r) const { return moves_[static_cast<std::size_t>((r + 3) % 3)]; }
   const float* stay(int r) const { return moves(r) ? stay_.row(r) : ones_.row(0); }
@@ -57,15 +57,16 @@ class QuantityStream {
   void resize(int n);
   /// Forgets the last batch.
   void begin();
-  /// What leaves row r, planned last in `edges`. `some`: false if the row is known to be empty.
+  /// Finds what leaves row r, which `edges` planned last. `some`: false if the row is known to be
+  /// empty.
   void flux(const EdgeStream& edges, const RemapOptions& options, int r, const ThreeRows& value,
             bool some);
-  /// What row r becomes, in place, once row r + 1 has passed flux or end() was told. Returns
+  /// Writes what row r becomes, in place. Call it after flux(), or end(), of row r + 1. Returns
   /// whether anything came or went.
   bool gather(const EdgeStream& edges, int r, float* value);
-  /// Row r is beyond the last one.
+  /// Says that row r lies beyond the last row.
   void end(int r) { passes(r) = false; }
-  /// Far cells so far, in the order of rows.
+  /// The far cells of the rows so far, in the order of rows.
   const std::vector<FarCell>& far() const { return far_; }
 
  private:
@@ -87,7 +88,7 @@ class MomentumStream {
   void begin();
   void flux(const EdgeStream& edges, const RemapOptions& options, int r, const ThreeRows& mass,
             const ThreeRows& velocity);
-  /// Leaves mass and velocity if `divide`, mass and momentum if not.
+  /// Writes what row r becomes: mass, and velocity if `divide`, else momentum.
   void gather(const EdgeStream& edges, int r, float* mass, float* velocity, bool divide);
   void end(int r) { mass_.end(r); }
   const std::vector<FarCell>& far() const { return mass_.far(); }

@@ -1,11 +1,11 @@
 #pragma once
-// Gravity along the canvas and bed friction on a row of faces.
+// Gravity along the canvas and bed friction, on a row of faces.
 
 namespace pentimento::conservative {
 
 struct LateralGravity {
   float speed_m_s = 0;             // dt g_x, as an accelerometer reads it
-  float dry_film_m = 0;            // thinner films feel none (R15)
+  float dry_film_m = 0;            // thinner films feel no gravity (R15)
   bool scaled_by_mobility = true;  // reading (a) of A7; false: stiff paint slides too
 };
 

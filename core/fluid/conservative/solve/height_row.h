@@ -1,9 +1,10 @@
 #pragma once
-// The linear system of the new height, and what follows from it.
+// The linear system of the new height, and the velocities that follow from the height.
 
 namespace pentimento::conservative {
 
-/// Faces around a row of cells: depth and u* on the right (readable one to the left), above, below.
+/// The faces around a row of cells: depth and u* of the right faces (readable one face to the left,
+/// too), of the faces above and of the faces below.
 struct FluxRow {
   const float* depth_x;
   const float* velocity_x;
@@ -28,7 +29,7 @@ struct Crowding {
   float most_m_s2 = 0;  // Model::crowding_m_s2
 };
 
-/// Pressure of paint piled higher than a canvas carries.
+/// Crowding: pressure of paint that is deeper than a canvas carries.
 ///   crowding = most clamp((max(d, rhs - b) - from) / range, 0, 1); rhs - b: depth to come
 /// Scheme: pointwise, from the depth that would come without it.
 /// Stable: enters an implicit solve.
@@ -38,7 +39,7 @@ struct Crowding {
 void crowding_row(const Crowding& c, const float* depth_m, const float* base_m, const float* rhs,
                   int n, float* crowding_m_s2);
 
-/// Cells a and b on either side of a row of faces.
+/// A row of faces, and the cells a and b on their two sides.
 struct PressureRow {
   const float* depth_m;        // of the face
   const float* mobility_frac;  // of the face

@@ -7,8 +7,9 @@
 namespace pentimento::conservative {
 namespace {
 
-// Roots of the degree 2 Chebyshev polynomial on [1/2, 2], the part of the scaled operator's
-// spectrum (0, 2) that a coarser grid does not see: 5/4 +- (3/4) sqrt(1/2).
+// Inverse roots of the Chebyshev polynomial of degree 2 on [1/2, 2]: 1 / (5/4 +- (3/4) sqrt(1/2)).
+// That interval is the part of the scaled operator's spectrum (0, 2) that a coarser grid does not
+// see.
 constexpr float kWeightA = 1 / (1.25f + 0.53033009f);
 constexpr float kWeightB = 1 / (1.25f - 0.53033009f);
 
@@ -19,7 +20,7 @@ NodeRow nodes_at(const WorkPlane& plane, int x, int y) {
   return {plane.row(y - 1) + x, plane.row(y) + x, plane.row(y + 1) + x};
 }
 
-// The passes over one run of a level. Sweeps write `x` and `other` in turn.
+// The passes over one run of a level. Smoothing sweeps write the planes `x` and `other` in turn.
 template <typename Level>
 void sweep(const Level& l, const Run& r, const WorkPlane& from, WorkPlane& to, float weight) {
   smooth_row(stencil_at(l.cx, l.cy, r.x0, r.y), l.inverse.row(r.y) + r.x0, l.rhs.row(r.y) + r.x0,
@@ -51,7 +52,8 @@ void invert_diagonal(Level& l, const Run& r) {
   inverse_diagonal_row(stencil_at(l.cx, l.cy, r.x0, r.y), l.z_row(r.y) + r.x0, r.size(),
                        l.inverse.row(r.y) + r.x0);
 }
-// A run of a coarse level from the fine one: the system, and the residual as its right side.
+// Restriction to a run of the coarse level: first the system, then the residual, which is the right
+// side there.
 template <typename Level>
 void coarsen(const Level& fine, Level& coarse, const Run& r) {
   const int x = 2 * r.x0;
@@ -106,7 +108,8 @@ int Multigrid::levels_for(float coupling) const {
   return levels;
 }
 
-// The coarser grids but for what start() left on the first of them.
+// Builds the systems of the coarser grids. start() has already built the first of them, all but its
+// diagonal.
 void Multigrid::prepare(int levels, const Threads& threads) {
   for (int l = 1; l < levels; ++l) {
     Level& here = level(l);
@@ -118,8 +121,8 @@ void Multigrid::prepare(int levels, const Threads& threads) {
   }
 }
 
-// Whether the fine rows of the coarse row over `r` are complete with it. On the finest grid both
-// have the same runs, for tiles are a whole number of coarse cells.
+// Whether fine run `r` lies in the last row that belongs to its coarse row. The row above it has
+// the same runs, for a tile is a whole number of coarse cells.
 bool Multigrid::below_coarse_row(const Run& r) const {
   return (r.y & 1) != 0 || r.y + 1 == levels_[0].x.height();
 }
@@ -133,18 +136,21 @@ void Multigrid::coarsen_residual(const Run& r) {
     restrict_residual(level(0), level(1), {r.y / 2, r.x0 / 2, (r.x1 + 1) / 2});
 }
 
-// Fills the system, smooths the first guess, leaves the residual in `other` and, if asked, system
-// and residual on the next grid.
+// The way down on the finest grid: fills the system and smooths the first guess. If `and_restrict`,
+// it also leaves the residual in `other`, and system and residual on the next grid.
 void Multigrid::start(const Job& job, bool and_restrict, const Threads& threads) {
   Level& fine = level(0);
   const std::vector<RowWork>& fill = job.fill;
   const WorkPlane& guess = job.guess != nullptr ? *job.guess : fine.x;
   const int filled = std::max(1, static_cast<int>(fill.size()));
   for_stages(threads, fine.index, filled + (and_restrict ? 5 : 3), [&](int stage, const Run& r) {
+    // The caller's stages fill the system.
     if (stage < static_cast<int>(fill.size())) fill[static_cast<std::size_t>(stage)](r);
+    // Smoothing: the inverse diagonal, then two sweeps from the guess.
     if (stage == filled) invert_diagonal(fine, r);
     if (stage == filled + 1) sweep(fine, r, guess, fine.other, kWeightA);
     if (stage == filled + 2) sweep(fine, r, fine.other, fine.x, kWeightB);
+    // What the sweeps left to do goes to the next grid.
     if (stage == filled + 3) leave_residual(fine, r);
     if (stage != filled + 4) return;
     coarsen_system(r);
@@ -152,7 +158,8 @@ void Multigrid::start(const Job& job, bool and_restrict, const Threads& threads)
   });
 }
 
-// Two more sweeps.
+// Two more sweeps on the finest grid, for systems that need no coarser one; then the caller's
+// `finish`, if any.
 void Multigrid::go_on(const RowWork& finish, const Threads& threads) {
   Level& fine = level(0);
   for_stages(threads, fine.index, finish ? 4 : 3, [&](int stage, const Run& r) {
@@ -162,7 +169,7 @@ void Multigrid::go_on(const RowWork& finish, const Threads& threads) {
   });
 }
 
-// The same from a first guess of 0.
+// The way down on a coarser grid: two sweeps from a guess of 0, then the residual.
 void Multigrid::descend(Level& here, const Threads& threads) {
   for_stages(threads, here.index, 3, [&](int stage, const Run& r) {
     if (stage == 0) first_sweep_from_zero(here, r);
@@ -180,16 +187,20 @@ void Multigrid::bottom(Level& here, const Threads& threads) {
   });
 }
 
-// Adds the coarse correction and smooths; then, if asked, smooths again and leaves the residual on
-// the next grid, or finishes.
+// The way up: adds the correction of the coarser grid and smooths it. On the finest grid it is
+// followed by the way down of the next V-cycle (`and_descend`), or by the caller's `finish` after
+// the last one.
 void Multigrid::ascend(int l, bool and_descend, const RowWork& finish, const Threads& threads) {
   Level& here = level(l);
   const Level& coarse = level(l + 1);
   const int stages = and_descend ? 7 : finish ? 4 : 3;
   for_stages(threads, here.index, stages, [&](int stage, const Run& r) {
+    // Prolongation, then two sweeps: the end of this V-cycle.
     if (stage == 0) add_correction(here, coarse, r);
     if (stage == 1) sweep(here, r, here.x, here.other, kWeightA);
     if (stage == 2) sweep(here, r, here.other, here.x, kWeightB);
+    // Either the caller's last stage, or the start of the next V-cycle: two sweeps, then the
+    // residual.
     if (stage == 3 && !and_descend) finish(r);
     if (stage == 3 && and_descend) sweep(here, r, here.x, here.other, kWeightA);
     if (stage == 4) sweep(here, r, here.other, here.x, kWeightB);
@@ -202,6 +213,7 @@ void Multigrid::coarse_cycle(int l, int levels, const Threads& threads) {
   if (l > 1)
     for_runs(threads, level(l).index.runs(),
              [&](const Run& r) { restrict_residual(level(l - 1), level(l), r); });
+  // On the coarsest grid four sweeps do: its couplings are weak (levels_for).
   if (l + 1 == levels) return bottom(level(l), threads);
   descend(level(l), threads);
   coarse_cycle(l + 1, levels, threads);
@@ -211,12 +223,14 @@ void Multigrid::coarse_cycle(int l, int levels, const Threads& threads) {
 void Multigrid::solve(int cycles, int levels, const Threads& threads, const Job& job) {
   const RowWork& finish = job.finish;
   for (Level& l : levels_) l.ones = job.unit_zero_order ? ones_.data() : nullptr;
+  // The system, and the way down of the first V-cycle.
   start(job, levels > 1, threads);
-  if (levels == 1) {  // weak coupling: sweeps alone
+  if (levels == 1) {  // the coupling is so weak that sweeps alone do
     for (int k = 1; k < cycles; ++k) go_on(k + 1 == cycles ? finish : RowWork{}, threads);
     if (cycles == 1 && finish) for_runs(threads, level(0).index.runs(), finish);
     return;
   }
+  // The coarser systems are built once; then each V-cycle goes through them and up again.
   prepare(levels, threads);
   for (int k = 0; k < cycles; ++k) {
     coarse_cycle(1, levels, threads);

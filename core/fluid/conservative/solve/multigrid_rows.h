@@ -9,21 +9,21 @@
 
 namespace pentimento::conservative {
 
-/// A row of the operator.
+/// The couplings of a row of nodes.
 struct StencilRow {
   const float* cx;        // to the right; cx[-1] to the left
   const float* cy_above;  // of the row above
   const float* cy;        // down
 };
 
-/// A row of nodes and its neighbours.
+/// A row of nodes and its neighbour rows.
 struct NodeRow {
   const float* above;
   const float* here;
   const float* below;
 };
 
-/// inverse = 1 / (z + sum c), 0 where that is 0.
+/// inverse = 1 / (z + sum c), or 0 where z + sum c is 0.
 void inverse_diagonal_row(const StencilRow& a, const float* z, int n, float* inverse);
 
 /// One weighted Jacobi sweep.
@@ -36,7 +36,7 @@ void inverse_diagonal_row(const StencilRow& a, const float* z, int n, float* inv
 void smooth_row(const StencilRow& a, const float* inverse, const float* rhs, const NodeRow& x,
                 float weight, int n, float* out);
 
-/// The same from x = 0: out = w inverse rhs.
+/// The same sweep from x = 0: out = w inverse rhs.
 void smooth_zero_row(const float* inverse, const float* rhs, float weight, int n, float* out);
 
 /// residual = rhs - z x - sum c (x - x_neighbour).
@@ -46,8 +46,8 @@ void residual_row(const StencilRow& a, const float* z, const float* rhs, const N
 /// Mean of 2 x 2 nodes: out[i] of n coarse nodes from two fine rows.
 void restrict_row(const float* upper, const float* lower, int n, float* out);
 
-/// Coarse couplings: the mean of the two fine ones they replace, over 4 (the cell is twice as
-/// wide). cx joins coarse nodes across fine column 2i+1, cy across fine row 2j+1.
+/// Coarse couplings: the mean of the two fine couplings that they replace, divided by 4, for the
+/// cell is twice as wide. cx joins coarse nodes across fine column 2i+1, cy across fine row 2j+1.
 void coarsen_cx_row(const float* upper, const float* lower, int n, float* out);
 void coarsen_cy_row(const float* lower, int n, float* out);
 

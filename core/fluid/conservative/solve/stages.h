@@ -1,6 +1,6 @@
 #pragma once
-// Runs several stencil passes over a plane while a part of it stays in the cache, with the same
-// result as pass after pass over the whole plane.
+// Runs several stencil passes over a plane while a part of the plane stays in the cache. The result
+// is the same as that of pass after pass over the whole plane.
 
 #include <functional>
 #include <vector>
@@ -32,17 +32,17 @@ class RunIndex {
 };
 
 /// Calls pass(stage, run) for every run and the stages 0 .. stages-1, each run and stage once.
-/// When stage s > 0 of a row is called, stage s-1 of that row and of both its neighbours is done,
-/// and stage s+1 of neither, so that two planes, written in turn, hold all that is needed. Stage 0
-/// may depend on no other row.
-/// Scheme: bands of rows, few a thread. In each, the stages follow one another down the rows, each
-///   a row behind the one before, so that what they share is a few rows. The bands shrink by a row
-///   a stage, then the gaps between them are filled, which grow (Wonnacott, Int. J. Parallel
-///   Program. 30 (2002) 181-221).
+/// When stage s > 0 of a row is called, stage s-1 is done on that row and on both neighbour rows,
+/// and stage s+1 is done on none of them. So two planes, written in turn, hold all that is needed.
+/// Stage 0 may depend on no other row.
+/// Scheme: bands of rows, a few for each thread. In each band the stages follow one another down
+///   the rows, each one row behind the stage before, so that they share few rows. A band shrinks by
+///   a row with each stage. Then the gaps between the bands are filled, which grow in the same way
+///   (Wonnacott, Int. J. Parallel Program. 30 (2002) 181-221).
 /// The result does not depend on how many rows a band has.
 void for_stages(const Threads& threads, const RunIndex& index, int stages,
                 const std::function<void(int stage, const Run& run)>& pass);
-/// The same in bands of `rows` rows, or of the fewest that do.
+/// The same in bands of `rows` rows, or more if so few do not suffice.
 void for_stages_in(int rows, const Threads& threads, const RunIndex& index, int stages,
                    const std::function<void(int stage, const Run& run)>& pass);
 

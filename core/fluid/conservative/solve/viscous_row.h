@@ -1,9 +1,9 @@
 #pragma once
-// The linear system of one velocity component's viscosity.
+// The linear system of the viscosity, for one component of the velocity.
 
 namespace pentimento::conservative {
 
-/// Nodes of a row and of the two rows beside it; readable one node to each side.
+/// Nodes of a row and of the two rows beside it. They are readable one node to each side.
 struct ViscousNodes {
   const float* depth_above;
   const float* depth;  // > 0 wet, 0 dry or closed, < 0 beyond the canvas
@@ -13,7 +13,7 @@ struct ViscousNodes {
   const float* velocity_m_s;  // u~
 };
 
-/// Rows of multigrid_rows.h's system; the right side, u~, is also the first guess.
+/// Rows of the system of multigrid_rows.h. The right side, u~, is also the first guess.
 struct SystemRow {
   float* cx;
   float* cy;
@@ -21,7 +21,7 @@ struct SystemRow {
   float* rhs;
 };
 
-/// (1 - dt div nu grad) u = u~ on wet nodes.
+/// Builds (1 - dt div nu grad) u = u~ on wet nodes.
 ///   coupling of two wet nodes: dt/dx^2 (nu_a + nu_b)/2; a dry neighbour holds u = 0 and adds
 ///   dt/dx^2 nu to the zero-order term; beyond the canvas: slip, nothing
 /// Scheme: backward Euler in time, 5 points in space, 2nd order where nu is smooth.

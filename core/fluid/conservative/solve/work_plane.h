@@ -15,7 +15,7 @@ class WorkPlane {
   int height() const { return height_; }
   float* row(int y) { return storage_.row(y + 1) + kSide; }
   const float* row(int y) const { return storage_.row(y + 1) + kSide; }
-  /// Zeros in [x0, x1) x [y0, y1).
+  /// Writes zeros in [x0, x1) x [y0, y1).
   void clear(int x0, int x1, int y0, int y1) {
     for (int y = y0; y < y1; ++y)
       for (int x = x0; x < x1; ++x) row(y)[x] = 0;

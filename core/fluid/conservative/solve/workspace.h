@@ -1,6 +1,7 @@
 #pragma once
-// Planes of one step of the conservative scheme that outlive a single pass. All are zero where the
-// canvas sleeps. Velocity nodes: x nodes are the right faces of cells, y nodes the lower ones.
+// The planes of one step of the conservative scheme that more than one pass needs. All are zero
+// where the canvas sleeps. Nodes of the velocity: x nodes are the right faces of cells, y nodes the
+// lower faces.
 
 #include "core/canvas/canvas_state.h"
 #include "core/fluid/conservative/solve/multigrid.h"
@@ -9,10 +10,10 @@
 
 namespace pentimento::conservative {
 
-/// What the nodes of one velocity component know.
+/// The nodes of one component of the velocity.
 struct NodePlanes {
   WorkPlane first_mass_m;    // paint around the node before anything moved
-  WorkPlane mass_m;          // the same, moved with its momentum
+  WorkPlane mass_m;          // the same paint after it moved with its momentum
   WorkPlane velocity_m_s;    // u~, then u
   WorkPlane depth_m;         // of the face; 0 = dry or closed; negative = beyond the canvas
   WorkPlane mobility_frac;   // 1 - Phi, 0 where the film is too thin to feel gravity

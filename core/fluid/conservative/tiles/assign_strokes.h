@@ -1,6 +1,7 @@
 #pragma once
-// Paint that runs onto canvas where no brush has been stays its stroke's: when the brush comes
-// after the paint that it pushed ahead, it finds its own, not another stroke's to lay a layer over.
+// Paint that runs onto canvas where no brush has been keeps the id of its stroke. So a brush that
+// comes after the paint that it pushed ahead finds paint of its own stroke, and does not open a
+// layer over it.
 
 #include <vector>
 
@@ -10,8 +11,8 @@
 
 namespace pentimento::conservative {
 
-/// Cells of the runs that are wet and of no stroke become the latest stroke's of their four
-/// neighbours', as these were before.
+/// Gives cells of the runs that are wet and have no stroke id the latest (largest) id of their four
+/// neighbours, as these were before the call.
 void assign_strokes(CanvasState& state, const std::vector<Run>& runs, const Threads& threads);
 
 }  // namespace pentimento::conservative

@@ -1,7 +1,7 @@
 #pragma once
-// Amounts on the canvas are whole multiples of a quantum, a power of two. As long as they stay
-// below 2^24 quanta, float sums and differences of them are exact in any order, so moving paint
-// about loses and makes nothing, however often. Beyond that, sums round as floats do.
+// Quanta: amounts on the canvas are whole multiples of a quantum, which is a power of two. As long
+// as amounts stay below 2^24 quanta, float sums and differences of them are exact in any order, so
+// motion loses and makes no paint, however long it lasts. Above that, sums round as floats do.
 
 namespace pentimento::conservative {
 
@@ -13,7 +13,8 @@ inline float quantum_for(float scale) {
   return range * 0x1p-24f;
 }
 
-/// What rounds by adding and taking away: 1.5 x 2^23 quanta. 0 turns rounding off.
+/// The number that rounds to quanta when it is added and subtracted again: 1.5 x 2^23 quanta. A
+/// quantum of 0 turns rounding off.
 inline float rounder_for(float quantum) {
   return quantum * 0x1.8p23f;
 }

@@ -16,13 +16,14 @@ int tile_cells(float tile_m, float cell_m, int side) {
   return cells;
 }
 
-// A velocity without its sign, as bits: positive floats are ordered as their bits are, and a
-// maximum of integers may be taken in any order, many at a time.
+// A velocity without its sign, as bits. Positive floats have the order of their bits, and a maximum
+// of integers may be taken in any order, so the compiler takes many at a time.
 std::int32_t size_bits(float u) {
   return std::bit_cast<std::int32_t>(u) & 0x7fffffff;
 }
 
-// Raises `most_u` and `most_v` to the sizes of two rows; whether any of them moves.
+// Raises `most_u` and `most_v` to the sizes of two rows of velocities. Returns whether any of them
+// is not 0.
 PENTIMENTO_KERNEL
 bool raise_row(const float* __restrict u, const float* __restrict v, int n,
                std::int32_t* __restrict most_u, std::int32_t* __restrict most_v) {

@@ -1,17 +1,17 @@
 #pragma once
-// Sleep: the canvas is cut into tiles of a fixed size in metres, and a tile at rest is left alone
-// until something disturbs it. Sleep is part of the model, not a shortcut: a sleeping tile is a
-// closed wall to its neighbours, and nothing in it changes.
+// Sleep: the canvas is cut into sleep tiles of a fixed size in metres, and a tile at rest is left
+// alone until something disturbs it. Sleep is part of the model, not a shortcut: a sleeping tile is
+// a closed wall to its neighbours, and nothing in it changes.
 //
-// A tile falls asleep when a step began with all its velocities 0, ended so, and no brush touched
-// it. It wakes when
+// A tile falls asleep if all its velocities were 0 at the start and at the end of a step and no
+// brush touched it in the step. It wakes when
 //  - the brush touches it, or pushes paint within reach of it;
 //  - paint moves, in a tile awake, within reach of it: as far as that paint comes in one step, and
 //    two cells more, so that no slope can build up against a closed wall unseen;
 //  - gravity differs, in any component, by Model::wake_gravity_m_s2 or more from what it was when
 //    the tile fell asleep, unless all its paint is too thin or too stiff to feel gravity.
 //
-// The state machine's memory is CanvasState::sleep: emptying it wakes everything.
+// What sleeps is kept in CanvasState::sleep. If it is emptied, everything wakes.
 
 #include <cstdint>
 #include <functional>
@@ -30,8 +30,8 @@ enum SleepValue { kAsleep, kGravityX, kGravityY, kGravityZ, kFeelsGravity, kSlee
 
 class SleepTiles {
  public:
-  /// Tiles of the largest power of two of cells, at least 8, not wider than tile_m;
-  /// none larger than it takes for one to cover the canvas.
+  /// Each side of a tile is a power of two of cells, at least 8: the largest that is not longer
+  /// than `tile_m`, or the smallest that covers the canvas if that is less.
   SleepTiles(const CanvasGeometry& geometry, float tile_m);
 
   int columns() const { return columns_; }
@@ -43,22 +43,24 @@ class SleepTiles {
   bool awake(int column, int row) const {
     return awake_[static_cast<std::size_t>(row * columns_ + column)] != 0;
   }
-  /// How far the fastest paint awake comes in one step, in cells; known after wake().
+  /// How far the fastest awake paint comes in one step, in cells. Known after wake().
   float travel_cells() const { return travel_cells_; }
   double awake_share() const { return static_cast<double>(list_.size()) / count(); }
   const std::vector<int>& awake_tiles() const { return list_; }
 
-  /// Decides who is awake in this step. Returns the tiles that were awake before and are not now.
+  /// Decides which tiles are awake in this step. Returns the tiles that were awake before and are
+  /// not now.
   std::vector<int> wake(const CanvasState& state, const StepInput& in);
-  /// After the step: tiles that rest fall asleep in `state.sleep`. `feels_gravity(tile)` says
-  /// whether any of its paint does.
+  /// Call it after the step: writes into `state.sleep` which tiles fall asleep.
+  /// `feels_gravity(box)` says whether any paint in a tile's box feels gravity.
   void fall_asleep(CanvasState& state, const StepInput& in,
                    const std::function<bool(const CellBox&)>& feels_gravity);
 
-  /// The cells awake: as runs of rows, and as strips: vertical runs one tile wide.
+  /// The awake cells: as runs, and as strips, which are columns of awake tiles, one tile wide.
   const std::vector<Run>& runs() const { return runs_; }
   const std::vector<CellBox>& strips() const { return strips_; }
-  /// Where run `r` borders on awake cells below: the faces that are open.
+  /// Calls body(x0, x1) for the cells [x0, x1) of run `r` whose lower face is open: the cell below
+  /// is awake.
   template <typename Body>
   void for_open_below(const Run& r, const Body& body) const {
     const int below = (r.y + 1) / tile_height_;
@@ -88,7 +90,7 @@ class SleepTiles {
   float dx_m_, dy_m_;
   int tile_width_, tile_height_, columns_, rows_;
   std::vector<std::uint8_t> awake_, was_awake_;
-  std::vector<std::uint8_t> disturbed_;  // touched, or moving at the start of the step
+  std::vector<std::uint8_t> disturbed_;  // touched, or with moving paint at the start of the step
   float travel_cells_ = 0;
   std::vector<int> list_;
   std::vector<Run> runs_;
