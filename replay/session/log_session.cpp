@@ -11,6 +11,7 @@
 #include "replay/paper/paper_relief.h"
 #include "replay/play/changed_canvas.h"
 #include "replay/play/channel_change.h"
+#include "replay/session/simulation_setup.h"
 
 namespace pentimento {
 
@@ -198,14 +199,9 @@ Result<LogSession> open_session(const RenderJob& job, const Control& control) {
 
 Result<std::unique_ptr<Simulation>> make_simulation(LogSession& session, const Threads& threads) {
   const log::Header& header = session.reader->header();
-  SimulationSetup setup;
+  SimulationSetup setup = simulation_setup(header, session.model);
   setup.geometry = session.grid;
-  setup.model = session.model;
   setup.basis = session.basis;
-  setup.dt_s = StepClock(header.steps_per_second).dt_s();
-  const log::Rgb& paper = header.paper.reflectance;
-  setup.paper_reflectance = session.maker.substrate(
-      {static_cast<float>(paper[0]), static_cast<float>(paper[1]), static_cast<float>(paper[2])});
   if (session.start) {
     setup.paper_m = session.start->state.paper_m.clone();
   } else {
