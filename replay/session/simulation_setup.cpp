@@ -12,7 +12,7 @@ SimulationSetup simulation_setup(const log::Header& header, const Model& model) 
   setup.model = model;
   setup.dt_s = StepClock(header.steps_per_second).dt_s();
   const log::Rgb& paper = header.paper.reflectance;
-  setup.paper_reflectance = PaintMaker(model).ground(
+  setup.paper_reflectance = PaintMaker(model).substrate(
       {static_cast<float>(paper[0]), static_cast<float>(paper[1]), static_cast<float>(paper[2])});
   return setup;
 }

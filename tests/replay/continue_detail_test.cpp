@@ -64,7 +64,7 @@ TEST_P(ContinueDetail, APaintingGoesOnBitForBit) {
   const StateDump dump = through_a_file(whole);
   // Otherwise this test would say nothing.
   EXPECT_GT(waiting_cells(*dump.checkpoint), 0);
-  EXPECT_FALSE(dump.checkpoint->left.empty());
+  EXPECT_FALSE(dump.checkpoint->stamped.empty());
   rest.go_on_from(whole, clone_state(dump.state), *dump.fine, *dump.checkpoint);
   EXPECT_EQ(hash_of(rest), hash_of(whole));
   EXPECT_TRUE(rest.follower().checkpoint() == whole.follower().checkpoint());

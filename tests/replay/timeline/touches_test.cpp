@@ -106,7 +106,7 @@ TEST(Touches, TheLowestFreeHandIsTaken) {
   while (!hand.queue.empty()) {
     const PendingCue cue = hand.queue.pop();
     if (const auto* begin = std::get_if<StrokeBegin>(&cue.cue.what)) {
-      hands.push_back(begin->hand);
+      hands.push_back(begin->slot);
       strokes.push_back(begin->stroke_id);
     }
   }
