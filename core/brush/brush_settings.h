@@ -52,6 +52,9 @@ struct BrushDefinition {
   float absorb = 0;                // share of the paint under it that a rag keeps, per diameter
   bool scrapes = false;            // a blade: it takes what stands above its edge
 
+  /// It is dipped into paint; else, as a knife or a rag, it starts clean and lays what it took up.
+  bool lays_paint() const { return film > 0; }
+
   /// Factors on the size and on the deposit at a pressure in [0,1].
   float size_at(float pressure) const {
     return size.empty() ? 1 - size_pressure * (1 - pressure) : size.at(pressure);

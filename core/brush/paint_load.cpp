@@ -6,6 +6,13 @@
 
 namespace pentimento {
 
+ReservoirRows rows_across(float from, float to) {
+  PENTIMENTO_CHECK(from >= 0 && from <= to && to <= 1);
+  const auto row = [](float at) { return static_cast<int>(at * kReservoirRows + 0.5f); };
+  const int begin = std::min(row(from), kReservoirRows - 1);
+  return {begin, std::max(begin + 1, row(to))};
+}
+
 PaintLoad::PaintLoad(std::span<const float> held, std::span<const float> amount,
                      float height_per_amount_m)
     : paint(held.begin(), held.end()), weight{1} {

@@ -13,6 +13,18 @@ inline constexpr int kReservoirColumns = 16;
 inline constexpr int kReservoirRows = 32;
 inline constexpr int kReservoirTexels = kReservoirColumns * kReservoirRows;
 
+/// Reservoir height of a load, in films of one pass: with half the medium, 2 mm.
+inline constexpr float kFilmsHeld = 2;
+
+/// Rows [begin, end) of a reservoir: a part of the tip's width.
+struct ReservoirRows {
+  int begin = 0, end = 0;
+};
+inline constexpr ReservoirRows kAllRows = {0, kReservoirRows};
+/// Those of the part [from, to] of the width, 0 the left side of a stroke and 1 the right; one row
+/// at least. Needs 0 <= from <= to <= 1.
+ReservoirRows rows_across(float from, float to);
+
 struct PaintLoad {
   PaintLoad() = default;
   /// `paint`: height (m), then the amount of each channel. `amount`: share of each channel in the

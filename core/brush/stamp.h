@@ -2,6 +2,7 @@
 // A stamp: one placement of the tip on the canvas (R21). The stroke's path makes it, the transfer
 // does it.
 
+#include <algorithm>
 #include <cstdint>
 
 #include "core/base/vec.h"
@@ -23,5 +24,10 @@ struct Stamp {
   float travel_m = 0;    // arc length this stamp stands for, >= 0
   Vec2f velocity_m_s;    // of the brush, y down
 };
+
+/// 0..1; a device that has no pressure presses fully.
+inline float pressure_of(const Stamp& stamp) {
+  return stamp.pressure < 0 ? 1.0f : std::min(stamp.pressure, 1.0f);
+}
 
 }  // namespace pentimento

@@ -8,6 +8,7 @@
 namespace pentimento {
 
 namespace {
+constexpr float kSmallestCells = 1.5f;  // diameter of the smallest tip a grid can show
 constexpr float kLeanStretch = 0.5f;
 constexpr float kLeanShift = 0.25f;  // of the diameter
 constexpr float kLowestTilt = 1.4f;  // rad; a handle lies on the canvas no flatter than this
@@ -40,7 +41,7 @@ int cell_at(double place_m, double cell_m, int count) {
 }  // namespace
 
 TipPose pose_of(const Stamp& stamp, const BrushDefinition& brush, float smallest_m) {
-  const float pressure = stamp.pressure < 0 ? 1.0f : std::min(stamp.pressure, 1.0f);
+  const float pressure = pressure_of(stamp);
   TipPose pose;
   pose.diameter_m = std::max(smallest_m, stamp.diameter_m * brush.size_at(pressure));
   const Vec2f axis = axis_of(stamp, brush);
@@ -63,6 +64,14 @@ TipPose pose_of(const Stamp& stamp, const BrushDefinition& brush, float smallest
   pose.x_m = stamp.x_m + static_cast<double>(kLeanShift * D * lean.x);
   pose.y_m = stamp.y_m + static_cast<double>(kLeanShift * D * lean.y);
   return pose;
+}
+
+TipPose pose_on(const CanvasGeometry& grid, const Stamp& stamp, const BrushDefinition& brush) {
+  return pose_of(stamp, brush, kSmallestCells * cell_size_m(grid));
+}
+
+float cell_size_m(const CanvasGeometry& grid) {
+  return std::sqrt(grid.dx_m() * grid.dy_m());
 }
 
 FootprintBox box_of(const TipPose& pose, const TipExtent& extent, const CanvasGeometry& geometry) {

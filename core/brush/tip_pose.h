@@ -25,6 +25,11 @@ struct TipPose {
 /// angle from upright. The diameter is at least `smallest_m`.
 TipPose pose_of(const Stamp& stamp, const BrushDefinition& brush, float smallest_m);
 
+/// The pose on a grid: a tip finer than the grid can show is drawn as wide as it can.
+TipPose pose_on(const CanvasGeometry& grid, const Stamp& stamp, const BrushDefinition& brush);
+/// A cell's size, as tips are asked for: the root of its area.
+float cell_size_m(const CanvasGeometry& grid);
+
 /// The cells [x, x + width) x [y, y + height) that the tip may touch, within the grid.
 struct FootprintBox {
   int x = 0, y = 0, width = 0, height = 0;

@@ -3,23 +3,35 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/approx.h"
+#include "core/brush/stamp_shares.h"
 
 namespace pentimento {
 
 namespace {
-constexpr float kSmallestCells = 1.5f;      // diameter of the smallest tip a grid can show
-constexpr float kRefillDiameters = 0.1f;    // R22: distance that the refill share is of
-constexpr float kDryFrac = 1e-3f;           // of max_medium: thinner is dry canvas (A21)
-constexpr float kWeaveReach_m = 3e-4f;      // of a linen's relief: levels beside the film's own
-constexpr float kCarries_m = 6e-4f;         // wet paint less deep than that holds bristles up
-constexpr float kLeastRelief_m = 2e-5f;     // a smooth ground catches a dry brush evenly
-constexpr float kDryFilm = 0.7f;            // fluid below which bristles dry rather than thin out
-constexpr float kSlowing_per_s = 120;       // at so many diameters a second, half as deep
-constexpr float kBladeThickness = 0.14f;    // of the diameter: how long a blade is over a place
+// Without another reason, these were chosen by what strokes look like (docs/brushes.md shows them).
+
+constexpr float kDryFrac = 1e-3f;       // of max_medium: thinner is dry canvas (A21)
+constexpr float kWeaveReach_m = 3e-4f;  // of a linen's relief: levels beside the film's own
+constexpr float kDryFilm = 0.7f;        // fluid below which bristles dry rather than thin out
+constexpr float kSlowing_per_s = 120;   // at so many diameters a second, half as deep
+constexpr float kSoftestReach = 0.5f;   // R23: at full pressure, of the film; the stiffer, the more
+constexpr float kLevelsPerFluid = 2;    // a full brush levels wholly, one half dry no more
 constexpr float kBladeRide_m = 1.5e-4f;     // half a weave: a blade rides on the bumps
 constexpr float kBladeClearance_m = 2e-3f;  // the blade's edge without pressure, above that
 constexpr float kMostSqueezed = 1.5f;       // of a blade's film, where there is room
+
+// How firmly bristles stand on the canvas, 1 for a full brush of middling bristle. From 0.41 of the
+// pressure on they stand as firmly as they can: real hands are light, and still cover.
+constexpr float kContactUnpressed = 0.3f, kContactPerPressure = 1.7f;
+constexpr float kSoftestContact = 1.25f;   // times that; soft bristle gives way into hollows...
+constexpr float kStiffnessContact = 0.5f;  // ...and so much less of it the stiffest
+// How deep they reach below the mean height, in standard deviations of the heights under the tip:
+// everywhere at a contact of 0.8; at 0.24 they touch the higher half.
+constexpr float kReachPerContact = 5, kReachUnpressed = -1.2f;
+constexpr float kReachesAll = 2.8f;
+constexpr float kCarries_m = 6e-4f;      // wet paint less deep than that holds bristles up
+constexpr float kLeastRelief_m = 2e-5f;  // a smooth ground catches a dry brush evenly
+
 constexpr int kRowsPerTask = 8;
 constexpr int kCellsWorthThreads = 3000;  // some 0.2 ms of work; handing out rows costs 10 us
 
@@ -36,21 +48,23 @@ float wet_film(float density_frac) {
   return kDryFilm * std::sqrt(density_frac / kDryFilm);
 }
 
-/// 1 - (1 - frac)^lengths: turns a share per length into the share over `lengths` lengths.
-float share_over(float frac, double lengths) {
-  const double kept = 1 - static_cast<double>(std::clamp(frac, 0.0f, 1.0f));
-  return static_cast<float>(1 - approx::pow(kept, lengths));
+/// How well a brush levels what it lays: one that runs dry passes over the hollows.
+float levelling(float density_frac) {
+  return std::max(0.0f, kLevelsPerFluid * density_frac - 1);
+}
+
+float stiffness_of(const BrushInHand& hand) {
+  return hand.brush.stiffness < 0 ? hand.settings.stiffness : hand.brush.stiffness;
+}
+
+/// How deep the bristles reach below the mean height, in deviations of the heights under the tip.
+float reach_of(const StampPlan& plan, float pressure, float stiffness) {
+  const float contact =
+      plan.state.density_frac * std::min(1.0f, kContactUnpressed + kContactPerPressure * pressure) *
+      (kSoftestContact - kStiffnessContact * stiffness) / speed_factor(plan.stamp);
+  return kReachPerContact * contact + kReachUnpressed;
 }
 }  // namespace
-
-PaintLoad make_load(const Model& model, const BrushSettings& settings,
-                    std::span<const float> per_amount, std::span<const float> amount) {
-  std::vector<float> paint = {kFilmsHeld * model.film_medium_m * settings.medium_frac};
-  for (const float channel : per_amount)
-    paint.push_back(kFilmsHeld * model.film_pigment * settings.pigment_frac * model.max_pigment *
-                    channel);
-  return {paint, amount, model.film_medium_m / model.film_pigment};
-}
 
 Transfer::Transfer(CanvasState& state, BrushContact& contact, PaintAccount& account,
                    std::span<const float> amount, const Threads& threads)
@@ -72,7 +86,7 @@ void Transfer::apply(const Stamp& stamp, const BrushInHand& hand, const Model& m
   set_rates(stamp, hand, model, reservoir, plan);
   planes_.find(state_);
   prepare(plan.box, plan.stride);
-  footprint_.draw_cells(plan, cell_m());
+  footprint_.draw_cells(plan, cell_size_m(state_.geometry));
 
   // What lies under the tip; from that, how far down the bristles reach.
   for_rows(plan, &Transfer::measure_rows);
@@ -92,14 +106,10 @@ void Transfer::apply(const Stamp& stamp, const BrushInHand& hand, const Model& m
   return_surplus(plan, hand, reservoir);
 }
 
-float Transfer::cell_m() const {
-  return std::sqrt(state_.geometry.dx_m() * state_.geometry.dy_m());
-}
-
-/// Fills in the plan where the stamp lies, which paint it lays and how the tip is pressed.
+/// Where the stamp lies and what it is made of.
 void Transfer::place(const Stamp& stamp, const BrushInHand& hand, const Reservoir& reservoir,
                      StampPlan& plan) const {
-  plan.pose = pose_of(stamp, hand.brush, kSmallestCells * cell_m());
+  plan.pose = pose_on(state_.geometry, stamp, hand.brush);
   plan.extent = hand.tip.extent();
   plan.box = box_of(plan.pose, plan.extent, state_.geometry);
   plan.stamp = stamp;
@@ -107,8 +117,7 @@ void Transfer::place(const Stamp& stamp, const BrushInHand& hand, const Reservoi
   plan.load = &hand.load;
   plan.reservoir = &reservoir;
   plan.stride = reservoir.stride();
-  const float pressure = stamp.pressure < 0 ? 1.0f : std::min(stamp.pressure, 1.0f);
-  plan.state = {hand.brush.splay_at(pressure) / std::sqrt(speed_factor(stamp)),
+  plan.state = {hand.brush.splay_at(pressure_of(stamp)) / std::sqrt(speed_factor(stamp)),
                 reservoir.density_frac};
   plan.mean = hand.tip.mean(plan.state.press);
   plan.stroke_id = hand.stroke_id;
@@ -120,22 +129,16 @@ void Transfer::set_rates(const Stamp& stamp, const BrushInHand& hand, const Mode
                          const Reservoir& reservoir, StampPlan& plan) const {
   const BrushSettings& settings = hand.settings;
   const BrushDefinition& brush = hand.brush;
-  const float pressure = stamp.pressure < 0 ? 1.0f : std::min(stamp.pressure, 1.0f);
-  const float stiffness = brush.stiffness < 0 ? settings.stiffness : brush.stiffness;
-  const double diameters =
-      static_cast<double>(stamp.travel_m) / static_cast<double>(plan.pose.diameter_m);
-  // R23: what it picks up.
+  const float pressure = pressure_of(stamp);
+  const double diameters = travelled_diameters(stamp, plan.pose);
   plan.dry_m = kDryFrac * model.max_medium_m;
-  plan.pickup_frac =
-      std::max(share_over(settings.pickup, diameters),
-               share_over(brush.absorb, diameters * (0.3 + 0.7 * static_cast<double>(pressure))));
+  plan.pickup_frac = pickup_share(stamp, brush, settings, plan.pose);
   plan.pick_up.share_frac = plan.pickup_frac;
   plan.pick_up.residue = model.pigment_residue;
   if (stamp.pressure >= 0 && brush.absorb == 0)
-    plan.pick_up.penetration_frac = std::clamp(pressure * (0.5f + stiffness), 0.0f, 1.0f);
-  // R28: how far neighbouring layers mix.
-  plan.mix = {0.5f * pressure * share_over(settings.layer_mixing, diameters),
-              model.pigment_residue};
+    plan.pick_up.penetration_frac =
+        std::clamp(pressure * (kSoftestReach + stiffness_of(hand)), 0.0f, 1.0f);
+  plan.mix = {mixing_share(stamp, settings, plan.pose), model.pigment_residue};
   plan.deposit = {model.max_medium_m, hand.stroke_id};
   // A tip finer than the grid is drawn as wide as the grid can show, and as much thinner.
   const float unpressed = stamp.diameter_m * brush.size_at(pressure);
@@ -143,20 +146,18 @@ void Transfer::set_rates(const Stamp& stamp, const BrushInHand& hand, const Mode
   // Fewer bristles lay less, though not in proportion: each is fed by those beside it. Speed leaves
   // the amount alone.
   const float unhurried = hand.tip.mean(brush.splay_at(pressure));
-  const float mean = 0.5f * (unhurried + hand.tip.mean()) * plan.mean / unhurried;
+  const float mean = (unhurried + hand.tip.mean()) / 2 * plan.mean / unhurried;
   plan.film_rate = brush.film * wet_film(reservoir.density_frac) * brush.flow_at(pressure) * thin *
                    static_cast<float>(diameters) / (mean * kFilmsHeld);
-  // R22: how much of the surplus goes back to the canvas.
-  plan.return_frac = (1 - brush.absorb) * static_cast<float>(-approx::expm1(-diameters));
-  // A22: contact levelling; a brush that runs dry levels less.
-  plan.level_per_m = model.contact_levelling * std::max(0.0f, 2 * reservoir.density_frac - 1) /
+  plan.return_frac = return_share(stamp, brush, plan.pose);
+  plan.level_per_m = model.contact_levelling * levelling(reservoir.density_frac) /
                      (model.film_medium_m * settings.medium_frac + kWeaveReach_m);
   plan.push_m = model.brush_push * stamp.travel_m;
   // A blade takes what stands above its edge, whatever the pressure.
   if (brush.scrapes) {
     plan.pick_up.share_frac = 1;  // stamp_pick_up_weight() says how much
     plan.pick_up.penetration_frac = -1;
-    plan.scrape_frac = share_over(0.97f, diameters / static_cast<double>(kBladeThickness));
+    plan.scrape_frac = scraped_share(stamp, plan.pose);
   }
 }
 
@@ -173,25 +174,21 @@ void Transfer::find_heights(const BrushInHand& hand, StampPlan& plan) const {
   }
   if (!(value > 0)) return;
   plan.mean_height_m = height / value;
-  const float pressure = plan.stamp.pressure < 0 ? 1.0f : std::min(plan.stamp.pressure, 1.0f);
+  const float pressure = pressure_of(plan.stamp);
   if (plan.scrape_frac > 0) {
     plan.scrape_height_m = static_cast<float>(base / value) + kBladeRide_m +
                            (1 - pressure) * kBladeClearance_m + hand.load.paint[0] / kFilmsHeld;
     return;
   }
-  const float stiffness = hand.brush.stiffness < 0 ? hand.settings.stiffness : hand.brush.stiffness;
-  const float contact = plan.state.density_frac * std::min(1.0f, 0.3f + 1.7f * pressure) *
-                        (1.25f - 0.5f * stiffness) / speed_factor(plan.stamp);
-  // At 0.8 the bristles come 2.8 deviations deep: everywhere. At 0.24 they touch the higher half.
-  const float offset = 5 * contact - 1.2f;
-  if (offset >= 2.8f) return;
+  const float reach = reach_of(plan, pressure, stiffness_of(hand));
+  if (reach >= kReachesAll) return;
   const double variance = square / value - plan.mean_height_m * plan.mean_height_m;
   const float deviation = static_cast<float>(std::sqrt(std::max(0.0, variance)));
   plan.catch_per_m = 1 / std::max(deviation, kLeastRelief_m);
   // Thick wet paint does not carry the bristles: they sink into it. Else a hole in it, once there,
   // would never be painted over.
   const float wet_m = static_cast<float>((height - base) / value);
-  plan.catch_offset = offset + plan.catch_per_m * std::max(0.0f, wet_m - kCarries_m);
+  plan.catch_offset = reach + plan.catch_per_m * std::max(0.0f, wet_m - kCarries_m);
 }
 
 /// Finds the factor that keeps levelling from changing the stamp's total. If the whole tip is on
@@ -340,10 +337,8 @@ void Transfer::pick_up_and_refill(const StampPlan& plan, const BrushInHand& hand
   if (picked_up)
     collect_picked_up({paint_, plan.stride, touched_}, plan.pose, plan.box, state_.geometry,
                       hand.tip, reservoir);
-  const double distances = static_cast<double>(plan.stamp.travel_m) /
-                           static_cast<double>(kRefillDiameters * plan.pose.diameter_m);
-  const float refill = hand.brush.film > 0 ? share_over(hand.settings.refill, distances) : 0;
-  reservoir.refill(hand.load, hand.tip, refill);
+  reservoir.refill(hand.load, hand.tip,
+                   refill_share(plan.stamp, hand.brush, hand.settings, plan.pose));
 }
 
 /// Deposits the film and the surplus, mixes the layers, marks the contact.

@@ -36,17 +36,6 @@ struct BrushInHand {
   std::uint32_t stroke_id = 0;
 };
 
-/// Height of paint in a full reservoir, in films of one pass. At half of the medium slider that is
-/// 2 mm.
-inline constexpr float kFilmsHeld = 2;
-
-/// The load that the sliders ask for: paint whose film is `film_medium_m` times the medium slider
-/// high. The film holds `film_pigment` times the pigment slider of the channels `per_amount`, which
-/// are the channels of amount 1 of the pigment. `amount`: share of each channel in the total amount
-/// (A26).
-PaintLoad make_load(const Model& model, const BrushSettings& settings,
-                    std::span<const float> per_amount, std::span<const float> amount);
-
 class Transfer {
  public:
   /// All references must outlive the transfer. `amount`: as in LayerRow.
@@ -79,7 +68,6 @@ class Transfer {
     std::size_t cells = 0;
   };
 
-  float cell_m() const;
   TouchedRun strip_of(const StampPlan& plan, int y) const;
   float* strip_paint(const StampPlan& plan, const TouchedRun& strip);
   std::span<double> strip_sums(int y);

@@ -60,7 +60,7 @@ class TileStore {
 
  private:
   using LastUse = std::atomic<std::uint64_t>;  // trims done when last touched, from 1; 0 = not held
-  struct Segment {
+  struct MemorySegment {
     char* base = nullptr;
     std::unique_ptr<LastUse[]> last_use;  // per buffer
   };
@@ -81,8 +81,8 @@ class TileStore {
   std::uint32_t segment_buffers_;
   int file_ = -1;  // -1: anonymous
   std::mutex mutex_;
-  std::vector<Segment> segments_;  // as many as there may ever be, so that none moves
-  std::size_t mapped_ = 0;         // segments that exist
+  std::vector<MemorySegment> segments_;  // as many as there may ever be, so that none moves
+  std::size_t mapped_ = 0;               // segments that exist
   std::vector<Buffer> free_;
   Buffer next_ = 0;  // first buffer never handed out
   std::atomic<std::int64_t> used_{0}, held_{0};

@@ -4,8 +4,7 @@
 #include <optional>
 
 #include "core/base/finite.h"
-#include "core/brush/builtin_brushes.h"
-#include "core/brush/tip_rack.h"
+#include "core/brush/held_brush.h"
 #include "core/brush/transfer.h"
 #include "core/simulation/drying.h"
 #include "core/simulation/make_scheme.h"
@@ -18,12 +17,6 @@ struct TouchState {
   Reservoir reservoir;
   std::uint32_t stroke_id = 0;
   bool down = false;
-};
-
-/// A colour on the rows [begin, end) of what brushes hold.
-struct Colour {
-  int pigment = 0;
-  int begin = 0, end = 0;
 };
 
 PaintAccount empty_account(int channels) {
@@ -51,10 +44,8 @@ struct Simulation::Impl {
         model(setup.model),
         amount(setup.basis.amount.begin(), setup.basis.amount.end()),
         account(empty_account(setup.basis.channels())),
-        brush(*builtin_brush("round")),
-        tip(tips.find(brush)) {
+        held(setup.basis, model) {
     fresh_canvas();
-    load = wanted_load();
   }
 
   /// Paper, no paint; the books start anew.
@@ -81,40 +72,17 @@ struct Simulation::Impl {
     transfer->set_listener(listener);
   }
 
-  /// What the sliders and the colour say the brush holds.
-  PaintLoad wanted_load() const {
-    PaintLoad wanted = load_of(colours.front().pigment);
-    for (std::size_t i = 1; i < colours.size(); ++i)
-      wanted.set_rows(load_of(colours[i].pigment), colours[i].begin, colours[i].end);
-    return wanted;
-  }
-
-  PaintLoad load_of(int pigment) const {
-    std::vector<float> per_amount(amount.size(), 0.0f);
-    for (std::size_t c = 0; c < per_amount.size(); ++c)
-      per_amount[c] = setup.basis.load(static_cast<Eigen::Index>(c), pigment);
-    return make_load(model, settings, per_amount, amount);
-  }
-
   void fill_brushes() {
     for (auto& [id, touch] : touches) dip(touch);
   }
 
   /// What lays no film starts clean, not dipped.
   void dip(TouchState& touch) const {
-    if (brush.film > 0) {
-      touch.reservoir.fill(load);
+    if (held.brush().lays_paint()) {
+      touch.reservoir.fill(held.load());
     } else {
       touch.reservoir.empty();
     }
-  }
-
-  /// Dips every brush anew if what it should hold has changed.
-  void reload() {
-    const PaintLoad wanted = wanted_load();
-    if (wanted == load) return;
-    load = wanted;
-    fill_brushes();
   }
 
   SimulationSetup setup;
@@ -128,12 +96,7 @@ struct Simulation::Impl {
   std::optional<Transfer> transfer;
   CanvasListener* listener = nullptr;
 
-  BrushDefinition brush;
-  TipRack tips;
-  std::shared_ptr<const Tip> tip;
-  BrushSettings settings;
-  std::vector<Colour> colours = {{0, 0, kReservoirRows}};  // the later over the earlier
-  PaintLoad load;
+  HeldBrush held;
   std::map<int, TouchState> touches;
   Vec3f gravity_m_s2{0, 0, 9.81f};
   std::int64_t stamps = 0;
@@ -144,34 +107,23 @@ Simulation::Simulation(SimulationSetup setup, const Threads& threads)
 Simulation::~Simulation() = default;
 
 void Simulation::set_settings(const BrushSettings& settings) {
-  impl_->settings = settings;
-  impl_->reload();
+  if (impl_->held.set_settings(settings)) impl_->fill_brushes();
 }
 
 void Simulation::set_brush(const BrushDefinition& brush) {
-  const bool is_other = brush.name != impl_->brush.name;
-  impl_->brush = brush.clone();
-  impl_->tip = impl_->tips.find(impl_->brush);
-  if (is_other) impl_->fill_brushes();
+  if (impl_->held.take(brush)) impl_->fill_brushes();
 }
 
 void Simulation::set_color(int pigment) {
-  PENTIMENTO_CHECK(pigment >= 0 && pigment < impl_->setup.basis.load.cols());
-  impl_->colours = {{pigment, 0, kReservoirRows}};
-  impl_->load = impl_->wanted_load();
+  impl_->held.set_color(pigment);
   impl_->fill_brushes();
 }
 
 void Simulation::set_color(int pigment, float from, float to) {
-  PENTIMENTO_CHECK(pigment >= 0 && pigment < impl_->setup.basis.load.cols());
-  PENTIMENTO_CHECK(from >= 0 && from <= to && to <= 1);
-  const auto row = [](float at) { return static_cast<int>(at * kReservoirRows + 0.5f); };
-  const int begin = std::min(row(from), kReservoirRows - 1);
-  const int end = std::max(begin + 1, row(to));
-  impl_->colours.push_back({pigment, begin, end});
-  impl_->load = impl_->wanted_load();
-  if (!(impl_->brush.film > 0)) return;
-  for (auto& [id, touch] : impl_->touches) touch.reservoir.fill_rows(impl_->load, begin, end);
+  const ReservoirRows rows = impl_->held.set_color(pigment, from, to);
+  if (!impl_->held.brush().lays_paint()) return;
+  for (auto& [id, touch] : impl_->touches)
+    touch.reservoir.fill_rows(impl_->held.load(), rows.begin, rows.end);
 }
 
 void Simulation::begin_stroke(int touch_id, std::uint32_t stroke_id) {
@@ -180,14 +132,15 @@ void Simulation::begin_stroke(int touch_id, std::uint32_t stroke_id) {
   if (is_new) impl_->dip(touch);
   touch.down = true;
   touch.stroke_id = stroke_id;
-  touch.reservoir.density_frac = impl_->settings.load_frac;
+  touch.reservoir.density_frac = impl_->held.settings().load_frac;
   touch.reservoir.dry_ahead_frac = 1;
 }
 
 void Simulation::stamp(int touch_id, const Stamp& stamp) {
   const auto touch = impl_->touches.find(touch_id);
   PENTIMENTO_CHECK(touch != impl_->touches.end() && touch->second.down);
-  const BrushInHand hand{impl_->brush, *impl_->tip, impl_->settings, impl_->load,
+  const HeldBrush& held = impl_->held;
+  const BrushInHand hand{held.brush(), held.tip(), held.settings(), held.load(),
                          touch->second.stroke_id};
   impl_->transfer->apply(stamp, hand, impl_->model, touch->second.reservoir);
   ++impl_->stamps;
@@ -210,7 +163,7 @@ void Simulation::set_gravity(Vec3f gravity_m_s2) {
 void Simulation::set_model(const Model& model) {
   PENTIMENTO_CHECK(model.scheme == impl_->model.scheme && model.layers == impl_->model.layers);
   impl_->model = model;
-  impl_->reload();
+  if (impl_->held.reload()) impl_->fill_brushes();
   impl_->state.sleep.clear();  // what rested may not rest under other parameters
 }
 
@@ -271,6 +224,9 @@ const CanvasState& Simulation::state() const {
 }
 const Model& Simulation::model() const {
   return impl_->model;
+}
+const CanvasGeometry& Simulation::geometry() const {
+  return impl_->setup.geometry;
 }
 const ChannelBasis& Simulation::basis() const {
   return impl_->setup.basis;

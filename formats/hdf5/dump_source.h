@@ -42,7 +42,7 @@ class DumpSource final : public CanvasSource {
  private:
   /// Dataset (index in kCanvasDatasets), plane within it, row and column of tiles.
   using Key = std::tuple<std::size_t, int, int, int>;
-  struct Tile {
+  struct ReadTile {
     std::vector<std::uint32_t> values;
     std::list<Key>::iterator age;
   };
@@ -53,7 +53,7 @@ class DumpSource final : public CanvasSource {
         geometry_(geometry),
         step_(step),
         cache_bytes_(cache_bytes) {}
-  const Tile& tile(const Key& key) const;
+  const ReadTile& tile(const Key& key) const;
   bool load(const Key& key, std::vector<std::uint32_t>& values) const;
   void make_room() const;
   /// Values `value`, `value` + n, ... of the n that each cell has.
@@ -68,7 +68,7 @@ class DumpSource final : public CanvasSource {
   Handle file_;
   std::vector<Handle> datasets_;
   mutable std::mutex mutex_;  // of what follows
-  mutable std::map<Key, Tile> tiles_;
+  mutable std::map<Key, ReadTile> tiles_;
   mutable std::list<Key> ages_;  // the latest used first
   mutable std::size_t held_bytes_ = 0;
   mutable std::optional<Error> problem_;

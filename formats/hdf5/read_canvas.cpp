@@ -7,6 +7,7 @@
 #include <bit>
 #include <functional>
 
+#include "core/model/model.h"
 #include "formats/hdf5/handle.h"
 #include "formats/hdf5/read_small.h"
 
@@ -108,7 +109,7 @@ Result<CanvasShape> canvas_shape(const CanvasGroup& from, const ShapeLimits& lim
     return Error{
         ErrorCode::kLimit,
         fmt::format("{}: {} x {} cells in {} planes is more than is read", path, nx, ny, planes)};
-  if (layers < 1 || layers > kMaxLayers)
+  if (layers < 1 || layers > std::uint64_t{kMaxLayers})
     return bad(path, fmt::format("{} layers, must be 1 to {}", layers, kMaxLayers));
   if ((*bands)[2] < 1) return bad(path, group + "/canvas/reflectance has no bands");
   const CanvasShape shape = {static_cast<int>(nx), static_cast<int>(ny), static_cast<int>(layers),

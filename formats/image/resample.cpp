@@ -63,16 +63,16 @@ AxisTaps cubic(double position) {
            static_cast<float>(w3)}};
 }
 
-enum class Kind { kArea, kLinear, kCubic };
+enum class FilterKind { kArea, kLinear, kCubic };
 
 /// Along an axis on which `per_target` source pixels make one target pixel.
-AxisPlan make_axis(Kind kind, int target, double per_target) {
+AxisPlan make_axis(FilterKind kind, int target, double per_target) {
   AxisPlan axis;
   for (int i = 0; i < target; ++i) {
     const double centre = (i + 0.5) * per_target;
-    axis.push_back(kind == Kind::kArea     ? cover(i * per_target, (i + 1) * per_target)
-                   : kind == Kind::kLinear ? between(centre)
-                                           : cubic(centre));
+    axis.push_back(kind == FilterKind::kArea     ? cover(i * per_target, (i + 1) * per_target)
+                   : kind == FilterKind::kLinear ? between(centre)
+                                                 : cubic(centre));
   }
   return axis;
 }
@@ -113,13 +113,13 @@ Field<float> apply(FieldView<const float> source, const AxisPlan& across, const 
   return out;
 }
 
-AxisPlan fitted_axis(Kind kind, int source, int target) {
+AxisPlan fitted_axis(FilterKind kind, int source, int target) {
   AxisPlan axis = make_axis(kind, target, static_cast<double>(source) / target);
   clamp_axis(axis, source);
   return axis;
 }
 
-Field<float> resample(FieldView<const float> source, int width, int height, Kind kind) {
+Field<float> resample(FieldView<const float> source, int width, int height, FilterKind kind) {
   PENTIMENTO_CHECK(!source.empty() && width > 0 && height > 0);
   return apply(source, fitted_axis(kind, source.width(), width),
                fitted_axis(kind, source.height(), height));
@@ -127,27 +127,28 @@ Field<float> resample(FieldView<const float> source, int width, int height, Kind
 
 AxisPlan tiled_axis(int tile, int cells, double cells_per_repeat) {
   const double per_cell = tile / cells_per_repeat;
-  AxisPlan axis = make_axis(per_cell > 1 ? Kind::kArea : Kind::kLinear, cells, per_cell);
+  AxisPlan axis =
+      make_axis(per_cell > 1 ? FilterKind::kArea : FilterKind::kLinear, cells, per_cell);
   wrap_axis(axis, tile);
   return axis;
 }
 
 AxisPlan sized_axis(int source, int target) {
-  return fitted_axis(target < source ? Kind::kArea : Kind::kLinear, source, target);
+  return fitted_axis(target < source ? FilterKind::kArea : FilterKind::kLinear, source, target);
 }
 
 }  // namespace
 
 Field<float> resample_area(FieldView<const float> source, int width, int height) {
-  return resample(source, width, height, Kind::kArea);
+  return resample(source, width, height, FilterKind::kArea);
 }
 
 Field<float> resample_bilinear(FieldView<const float> source, int width, int height) {
-  return resample(source, width, height, Kind::kLinear);
+  return resample(source, width, height, FilterKind::kLinear);
 }
 
 Field<float> resample_bicubic(FieldView<const float> source, int width, int height) {
-  return resample(source, width, height, Kind::kCubic);
+  return resample(source, width, height, FilterKind::kCubic);
 }
 
 Field<float> resample_to(FieldView<const float> source, int width, int height) {

@@ -120,7 +120,7 @@ Result<std::optional<Event>> LogReader::at_cut(const Line& line) {
 }
 
 Result<void> LogReader::rewind() {
-  const Result<void> rewound = lines_.rewind();
+  Result<void> rewound = lines_.rewind();
   if (!rewound) return rewound;
   rules_ = LogRules(header_, options_);
   // The header is known already. It is not replaced, for callers hold references to it.

@@ -85,10 +85,6 @@ bool any_state(const std::vector<PlannedOutput>& files) {
                      [](const PlannedOutput& f) { return f.kind == OutputKind::kState; });
 }
 
-log::Gravity log_gravity(const std::array<double, 3>& g) {
-  return {g[0], g[1], g[2]};
-}
-
 Result<JobReport> Replay::run() {
   // Everything is made before the first step, ...
   if (Result<void> begun = begin(); !begun) return begun.error();
@@ -150,12 +146,8 @@ Result<void> Replay::begin() {
   const TimelineInput input{session_.plan.undo, session_.brushes, session_.plan.stepped,
                             last_stroke_id(simulation_->state()) + 1};
   timeline_ = std::make_unique<Timeline>(*session_.reader, input);
-  std::optional<Vec3f> gravity;
-  if (job_.gravity) gravity = core_gravity(log_gravity(*job_.gravity));
-  hand_ = std::make_unique<Hand>(
-      *simulation_,
-      HandInput{session_.brushes, session_.palette, session_.first_color, session_.files, gravity,
-                fine_ ? &fine_->substrate() : nullptr, session_.maker});
+  hand_ = std::make_unique<Hand>(*simulation_,
+                                 hand_input(session_, fine_ ? &fine_->substrate() : nullptr));
   player_ = std::make_unique<Player>(PlayerInput{*timeline_, *simulation_, *hand_, lighting_,
                                                  session_.files, control_, session_.steps});
   return {};
@@ -224,7 +216,7 @@ Result<void> Replay::write(const std::vector<PlannedOutput>& files) {
   if (Result<void> looked = lighting_.look(player_->steps()); !looked) return looked;
   Lighting lighting = clone_lighting(lighting_.lighting());
   light_.apply(lighting);
-  const log::Gravity gravity = job_.gravity ? log_gravity(*job_.gravity) : lighting_.gravity();
+  const log::Gravity gravity = session_.gravity.value_or(lighting_.gravity());
   for (Lamp& lamp : lighting.lamps) fix_lamp(lamp, gravity);
   // Pictures, then dumps.
   const Scene scene{*view.canvas, simulation_->basis(), simulation_->model(), lighting};

@@ -31,7 +31,7 @@ AwakeTiles::AwakeTiles(const CanvasGeometry& grid)
     : columns_(tiles_along(grid.width)),
       tiles_(static_cast<std::size_t>(columns_ * tiles_along(grid.height))) {}
 
-void AwakeTiles::touch(int x, int y, const Touch& touch) {
+void AwakeTiles::touch(int x, int y, const PaintedCells& touch) {
   Tile& tile = tiles_[static_cast<std::size_t>(y / kSide * columns_ + x / kSide)];
   if (tile.touched < 0) ++wet_tiles_;
   if (tile.touched >= 0 && touch.step > tile.touched && tilted_since_ < 0)
@@ -39,7 +39,7 @@ void AwakeTiles::touch(int x, int y, const Touch& touch) {
   tile = {touch.step, touch.settling_steps, tile.mask | touch.mask};
 }
 
-void AwakeTiles::touch(int x, int y, int width, int height, const Touch& touch) {
+void AwakeTiles::touch(int x, int y, int width, int height, const PaintedCells& touch) {
   for (int j = y / kSide; j <= (y + height - 1) / kSide; ++j)
     for (int i = x / kSide; i <= (x + width - 1) / kSide; ++i)
       this->touch(i * kSide, j * kSide, touch);

@@ -27,14 +27,14 @@ class AwakeTiles {
   explicit AwakeTiles(const CanvasGeometry& grid);
 
   /// Paint of the channels in `mask` is touched at step `step`.
-  struct Touch {
+  struct PaintedCells {
     std::uint32_t mask;
     std::int64_t step, settling_steps;
   };
   /// In the tile of the guide's cell (x, y).
-  void touch(int x, int y, const Touch& touch);
+  void touch(int x, int y, const PaintedCells& touch);
   /// In all tiles under the cells [x, x + width) x [y, y + height).
-  void touch(int x, int y, int width, int height, const Touch& touch);
+  void touch(int x, int y, int width, int height, const PaintedCells& touch);
   /// Gravity along the canvas from step `step` on: on a tilted canvas all that is wet moves.
   void tilt(double lateral_m_s2, std::int64_t step);
   /// Nothing is wet any more.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 
 namespace pentimento {
 
@@ -16,22 +15,15 @@ int CarriedPaint::band_of(float v) {
   return std::clamp(static_cast<int>((v + 0.5f) * kBands), 0, kBands - 1);
 }
 
-void CarriedPaint::dip(std::uint32_t mask, double from, double to) {
-  const int begin = std::min(static_cast<int>(from * kBands), kBands - 1);
-  const int end = std::max(begin + 1, static_cast<int>(std::ceil(to * kBands)));
+void CarriedPaint::dip(std::uint32_t mask, ReservoirRows rows) {
+  static_assert(kReservoirRows % kBands == 0);
+  constexpr int kRows = kReservoirRows / kBands;  // of a band
+  const int begin = rows.begin / kRows, end = (rows.end + kRows - 1) / kRows;
   for (int band = begin; band < end; ++band) {
     const auto b = static_cast<std::size_t>(band);
-    loaded_[b] = mask;
-    deposited_[b] = loaded(band);
+    loaded_[b] = deposited_[b] = mask;
     share_[b] = {};
   }
-}
-
-void CarriedPaint::take(bool holds_load) {
-  holds_load_ = holds_load;
-  for (int band = 0; band < kBands; ++band)
-    deposited_[static_cast<std::size_t>(band)] = loaded(band);
-  share_ = {};
 }
 
 void CarriedPaint::Contact::add(int band, std::uint32_t mask) {

@@ -5,6 +5,8 @@
 #include <array>
 #include <cstdint>
 
+#include "core/brush/paint_load.h"
+
 namespace pentimento {
 
 class CarriedPaint {
@@ -12,19 +14,14 @@ class CarriedPaint {
   static constexpr int kBands = 8;
   static constexpr int kChannels = 32;
 
-  /// Dipped, where the tip's width is within [from, to], 0..1, into paint of the channels in
-  /// `mask`.
-  void dip(std::uint32_t mask, double from, double to);
-  /// Another brush, with nothing taken up yet; `holds_load`: it is one that lays what it was dipped
-  /// into, not a knife or a rag.
-  void take(bool holds_load);
+  /// Dipped, on these rows of the tip, into paint of the channels in `mask`. One that is never
+  /// dipped, as a knife or a rag, lays only what it took up.
+  void dip(std::uint32_t mask, ReservoirRows rows);
 
   /// The band of the tip coordinate v, -1/2..1/2.
   static int band_of(float v);
   /// The channels that the band holds by its load alone.
-  std::uint32_t loaded(int band) const {
-    return holds_load_ ? loaded_[static_cast<std::size_t>(band)] : 0;
-  }
+  std::uint32_t loaded(int band) const { return loaded_[static_cast<std::size_t>(band)]; }
   /// The channels that the band lays.
   std::uint32_t deposited(int band) const { return deposited_[static_cast<std::size_t>(band)]; }
 
@@ -40,7 +37,6 @@ class CarriedPaint {
   void pass(const Contact& contact, double pickup_frac, double refill_frac);
 
  private:
-  bool holds_load_ = true;
   std::array<std::uint32_t, kBands> loaded_{}, deposited_{};
   std::array<std::array<double, kChannels>, kBands> share_{};  // taken up, of what the band holds
 };

@@ -43,7 +43,7 @@ CarriedPaint::Contact PaintMap::deposit(const Deposition& deposition) {
   const Tip& tip = deposition.tip;
   const FootprintBox box = box_of(pose, tip.extent(), grid_);
   if (box.empty()) return contact;
-  const TipLevel& level = tip.level_for(grid_.dx_m() / pose.diameter_m);
+  const TipLevel& level = tip.level_for(cell_size_m(grid_) / pose.diameter_m);
   std::uint32_t touched = 0;
   for (int y = box.y; y < box.y + box.height; ++y) {
     const TipRow row = tip_row(pose, box, grid_, y);

@@ -38,6 +38,8 @@ class PaintMap {
   /// Gravity along the canvas, in the grid's frame.
   void tilt(double x_m_s2, double y_m_s2, std::int64_t step);
   PaintSurvey finish(std::int64_t end_step);
+  /// The channels that are wet in a cell of the guide.
+  std::uint32_t wet_channels(int x, int y) const { return wet_[at(x, y)].mask; }
 
  private:
   /// What is wet in a cell of the guide.

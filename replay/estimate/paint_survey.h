@@ -1,6 +1,7 @@
 #pragma once
-// Where paint will be and where it will move, from the log alone: its strokes are laid out as
-// stamps but nothing is simulated. What estimates of memory and time are made of.
+// Where paint will be and where it will move, from the log alone: the hand that paints the picture
+// plays it to a painter who only notes (survey_painter.h). What estimates of memory and time are
+// made of.
 
 #include <cstdint>
 
@@ -23,7 +24,7 @@ struct PaintSurvey {
 };
 
 /// Plays the session's log from its first event up to its last stop and rewinds it. Errors: the
-/// reader's; kInterrupted.
+/// reader's; the hand's; kInterrupted.
 Result<PaintSurvey> survey_paint(LogSession& session, const DetailCost& cost,
                                  const Control& control = {});
 

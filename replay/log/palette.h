@@ -29,6 +29,7 @@ class Palette {
   /// Index of the pigment of a `color` event, which must have gone through pick().
   int find(const log::Color& color) const;
 
+  bool has(const std::string& name) const { return index_.contains(name); }
   /// Index of the pigment called `name`, which must be in the palette.
   int find(const std::string& name) const { return index_.at(name); }
 

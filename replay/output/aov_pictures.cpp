@@ -15,7 +15,7 @@ namespace {
 /// rises above the cells by at most (1.25^2 - 1) / 2 of their range.
 constexpr double kBetweenCells = 0.29;
 
-struct ValueRange {
+struct CodeRange {
   double least = std::numeric_limits<double>::infinity();
   double most = -std::numeric_limits<double>::infinity();
   void add(std::span<const float> row) {
@@ -34,10 +34,10 @@ NumberScale scale_of(double least, double most, int channels = 1) {
 }
 
 /// Sums the given planes row by row.
-ValueRange range_of(const CanvasSource& canvas, const std::vector<PlaneId>& planes) {
+CodeRange range_of(const CanvasSource& canvas, const std::vector<PlaneId>& planes) {
   const auto width = static_cast<std::size_t>(canvas.geometry().width);
   std::vector<float> sum(width), row(width);
-  ValueRange range;
+  CodeRange range;
   for (int y = 0; y < canvas.geometry().height; ++y) {
     std::fill(sum.begin(), sum.end(), 0.0f);
     for (const PlaneId& plane : planes) {
@@ -55,7 +55,7 @@ NumberScale from_zero(const CanvasSource& canvas, const std::vector<PlaneId>& pl
 }
 
 NumberScale height_scale(const CanvasSource& canvas, bool between_cells) {
-  const ValueRange range = range_of(canvas, {{PlaneKind::kBase}, {PlaneKind::kDepth}});
+  const CodeRange range = range_of(canvas, {{PlaneKind::kBase}, {PlaneKind::kDepth}});
   if (!(range.most >= range.least)) return scale_of(0, 0);
   const double more = between_cells ? kBetweenCells * (range.most - range.least) : 0;
   return scale_of(range.least - more, range.most + more);

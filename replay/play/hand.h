@@ -1,12 +1,13 @@
 #pragma once
-// The painter's hand and the tablet's controls: a cue of the timeline becomes calls to the
-// simulation.
+// The hand at the tablet and its controls: a cue of the timeline becomes calls to a painter, which
+// is the simulation or whoever foresees what that will take.
 
 #include <array>
 #include <optional>
 
 #include "core/brush/brush_settings.h"
-#include "core/simulation/simulation.h"
+#include "core/optics/paints/paint_maker.h"
+#include "core/simulation/painter.h"
 #include "replay/log/brushes.h"
 #include "replay/log/log_files.h"
 #include "replay/log/palette.h"
@@ -15,7 +16,7 @@
 
 namespace pentimento {
 
-/// What the hand needs besides the simulation; all outlive it.
+/// What the hand needs besides the painter; all outlive it.
 struct HandInput {
   const BrushTable& brushes;
   const Palette& palette;
@@ -29,7 +30,7 @@ struct HandInput {
 class Hand {
  public:
   /// Puts the first brush, loaded with the first colour, into the hand of a tablet lying face up.
-  Hand(Simulation& simulation, const HandInput& input);
+  Hand(Painter& painter, const HandInput& input);
 
   /// Errors: those of a file that a `load` names.
   Result<void> apply(const Cue& cue);
@@ -40,7 +41,7 @@ class Hand {
   void slide(const log::Slider& slider);
   Result<void> load(const log::Load& load);
 
-  Simulation& simulation_;
+  Painter& painter_;
   const HandInput input_;
   BrushSettings settings_;
 };

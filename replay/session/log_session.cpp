@@ -11,6 +11,7 @@
 #include "replay/paper/paper_relief.h"
 #include "replay/play/changed_canvas.h"
 #include "replay/play/channel_change.h"
+#include "replay/session/simulation_setup.h"
 
 namespace pentimento {
 
@@ -167,6 +168,7 @@ Result<LogSession> open_session(const RenderJob& job, const Control& control) {
   Result<Model> model = effective_model(header, job);
   if (!model) return model.error();
   session.model = *model;
+  if (job.gravity) session.gravity = {(*job.gravity)[0], (*job.gravity)[1], (*job.gravity)[2]};
   Result<BrushTable> brushes = BrushTable::make(header, session.files);
   if (!brushes) return brushes.error();
   session.brushes = std::move(*brushes);
@@ -197,14 +199,9 @@ Result<LogSession> open_session(const RenderJob& job, const Control& control) {
 
 Result<std::unique_ptr<Simulation>> make_simulation(LogSession& session, const Threads& threads) {
   const log::Header& header = session.reader->header();
-  SimulationSetup setup;
+  SimulationSetup setup = simulation_setup(header, session.model);
   setup.geometry = session.grid;
-  setup.model = session.model;
   setup.basis = session.basis;
-  setup.dt_s = StepClock(header.steps_per_second).dt_s();
-  const log::Rgb& paper = header.paper.reflectance;
-  setup.paper_reflectance = session.maker.substrate(
-      {static_cast<float>(paper[0]), static_cast<float>(paper[1]), static_cast<float>(paper[2])});
   if (session.start) {
     setup.paper_m = session.start->state.paper_m.clone();
   } else {
@@ -215,6 +212,13 @@ Result<std::unique_ptr<Simulation>> make_simulation(LogSession& session, const T
   auto simulation = std::make_unique<Simulation>(std::move(setup), threads);
   if (session.start) simulation->restore(std::move(session.start->state));
   return simulation;
+}
+
+HandInput hand_input(LogSession& session, ReplaySubstrate* detail_substrate) {
+  std::optional<Vec3f> gravity;
+  if (session.gravity) gravity = core_gravity(*session.gravity);
+  return {session.brushes, session.palette,  session.first_color, session.files,
+          gravity,         detail_substrate, session.maker};
 }
 
 }  // namespace pentimento

@@ -12,6 +12,7 @@
 #include "replay/job/render_job.h"
 #include "replay/log/brushes.h"
 #include "replay/log/log_files.h"
+#include "replay/play/hand.h"
 #include "replay/play/replay_detail.h"
 #include "replay/session/log_plan.h"
 
@@ -30,6 +31,7 @@ struct LogSession {
   std::optional<StateDump> start;  // --from, its guide's channels in `basis`; without its `fine`
   std::optional<DetailStart> detail_start;  // the detail canvas that goes on
   CanvasGeometry canvas;                    // the log's grid
+  std::optional<log::Gravity> gravity;      // --gravity, in place of the log's
   OutputSize size;
   CanvasGeometry grid;  // of the simulation
   Refine refine = Refine::kGuided;
@@ -44,5 +46,9 @@ Result<LogSession> open_session(const RenderJob& job, const Control& control);
 /// The simulation for the session's replay. Moves the state out of `session.start`. Errors: those
 /// of the paper's texture.
 Result<std::unique_ptr<Simulation>> make_simulation(LogSession& session, const Threads& threads);
+
+/// For the hand that plays the session's log. `detail_substrate`: of the detail canvas, if there is
+/// one.
+HandInput hand_input(LogSession& session, ReplaySubstrate* detail_substrate = nullptr);
 
 }  // namespace pentimento

@@ -279,6 +279,7 @@ TEST(CommandRender, DryRunTellsAndWritesNothing) {
   EXPECT_EQ(json_member(dump.out, "disk_bytes"), std::to_string(4800 * 15 * 4));
 }
 
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // whose memory adds to it
 TEST(CommandRender, WhatADryRunForeseesIsNearWhatTheRenderTakes) {
   const Workplace place;
   const std::string options = "render a.jsonl -o a.h5 -o a.png --scale 8 --json";
@@ -287,10 +288,12 @@ TEST(CommandRender, WhatADryRunForeseesIsNearWhatTheRenderTakes) {
   ASSERT_EQ(done.code, 0) << done.err;
   const double foreseen = std::stod(json_member(told.out, "memory_bytes"));
   const double found = std::stod(json_member(done.out, "peak_memory_bytes"));
-  // docs/bench/poster.md: 0.8 to 1.3 of what was found for all samples; sanitizers add to it.
-  EXPECT_GT(foreseen, 0.6 * found);
-  EXPECT_LT(foreseen, 1.6 * found);
+  // docs/bench/poster.md promises 1.2 either way; here it was 1.12. What Mesa takes of it is
+  // another machine's, up to a half of so small a job.
+  EXPECT_GT(foreseen, 0.7 * found);
+  EXPECT_LT(foreseen, 1.4 * found);
 }
+#endif
 
 TEST(CommandRender, ADryRunHasStandardOutputForItselfWhateverIsWritten) {
   const Workplace place;
@@ -301,6 +304,19 @@ TEST(CommandRender, ADryRunHasStandardOutputForItselfWhateverIsWritten) {
     EXPECT_EQ(ran.out.substr(0, 8), *json == 0 ? "picture " : "{\"width\"");
     EXPECT_EQ(place.files(), 1u);
   }
+}
+
+TEST(CommandRender, ADryRunCountsTheTiltThatIsRendered) {
+  const Workplace place;
+  const auto tilted = [&](const std::string& options) {
+    const Ran ran = place.run("render a.jsonl --dry-run --json " + options);
+    EXPECT_EQ(ran.code, 0) << ran.err;
+    return json_member(ran.out, "tilted_cell_steps");
+  };
+  const std::string log = tilted("");  // it tilts the canvas at 0.5 s
+  EXPECT_GT(std::stod(log), 0);
+  EXPECT_EQ(tilted("--gravity 0,0,9.81"), "0");
+  EXPECT_GT(std::stod(tilted("--gravity 0,9.81,0")), std::stod(log));  // from the first stroke on
 }
 
 TEST(CommandRender, TheLocaleChangesNothing) {

@@ -4,8 +4,6 @@ namespace, in another type, seen by one file alone, or as another name of a type
 tests too, no two types have one name in one namespace: compilers see one file at a time, and of two
 such types members and templates of either may be linked for both.
 
-The names that are repeated all the same are in REPEATED.
-
 usage: type_names.py REPOSITORY
 """
 
@@ -15,11 +13,6 @@ import re
 
 import house
 
-# From before this rule, each in files that do not know each other. A name may leave, none may come.
-REPEATED = frozenset("""
-Along Axis Block CellBox Cells Claim Color Curve Entry Film Image Job JsonObject Kind Layer Mark Options Place
-Planes Point Profile Range Reach Segment Span Spectrum Stamp Strip Taps Tile Touch Video
-""".split())
 OPENED = re.compile(r"^(?:inline )?namespace(?: ([\w:]+))? \{")
 CLOSED = re.compile(r"^\}  // (?:inline )?namespace")
 TYPE = re.compile(r"^\s*(?:template <[^>]*>\s*)?(?:struct|class|enum class|enum|union)"
@@ -51,9 +44,8 @@ def one_meaning(root):
             place = house.relative(root, file)
             meanings[name].setdefault(stands_for or f"{place}:{number}", place)
     problems = [f"the type {name} is defined more than once: {', '.join(found.values())}"
-                for name, found in sorted(meanings.items()) if len(found) > 1 and name not in REPEATED]
-    return problems + [f"tests/house/type_names.py: {name} is not repeated: strike it" for name in REPEATED
-                       if len(meanings[name]) < 2]
+                for name, found in sorted(meanings.items()) if len(found) > 1]
+    return problems
 
 
 def one_definition(root):

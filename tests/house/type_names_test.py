@@ -2,7 +2,6 @@
 """type_names.py reports planted types of one name, and nothing in a clean tree."""
 
 import unittest
-from unittest import mock
 
 import planted
 import type_names
@@ -16,7 +15,6 @@ TREE = {"core/tip.h": "namespace pentimento {\n\nstruct Tip {\n  enum class Side
                                    "}  // namespace pentimento\n"}
 
 
-@mock.patch.object(type_names, "REPEATED", frozenset())
 class TypeNamesTest(planted.PlantedTest):
     def assert_reported(self, file, text, *wanted):
         self.assertEqual(type_names.check(self.plant({**TREE, file: text})), list(wanted))
@@ -43,11 +41,6 @@ class TypeNamesTest(planted.PlantedTest):
     def test_a_type_of_a_test_in_the_same_namespace(self):
         self.assert_reported("tests/a.h", "namespace pentimento {\nstruct Tip {\n};\n}  // namespace pentimento\n",
                              "pentimento::Tip is defined more than once: core/tip.h, tests/a.h")
-
-    def test_an_exception_that_is_none(self):
-        with mock.patch.object(type_names, "REPEATED", frozenset(["Hair"])):
-            self.assertEqual(type_names.check(self.plant(TREE)),
-                             ["tests/house/type_names.py: Hair is not repeated: strike it"])
 
 
 if __name__ == "__main__":

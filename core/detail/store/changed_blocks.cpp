@@ -15,8 +15,9 @@ void ChangedBlocks::add(int y, int x0, int x1) {
   if (y < 0 || y >= guide.height || x0 >= x1) return;
   const int blocks = layout_.blocks();
   for (int column = x0 / blocks; column * blocks < x1; ++column) {
-    Span& s = span_[static_cast<std::size_t>(column) * static_cast<std::size_t>(guide.height) +
-                    static_cast<std::size_t>(y)];
+    ChangedSpan& s =
+        span_[static_cast<std::size_t>(column) * static_cast<std::size_t>(guide.height) +
+              static_cast<std::size_t>(y)];
     const int first = std::max(x0, column * blocks), last = std::min(x1, (column + 1) * blocks);
     s.x0 = s.x1 == 0 ? first : std::min(s.x0, first);
     s.x1 = std::max(s.x1, last);
@@ -37,7 +38,7 @@ void ChangedBlocks::clear() {
     const std::size_t first = static_cast<std::size_t>(tile % layout_.columns()) *
                               static_cast<std::size_t>(layout_.guide().height);
     std::fill(span_.begin() + static_cast<std::ptrdiff_t>(first) + box.y0,
-              span_.begin() + static_cast<std::ptrdiff_t>(first) + box.y1, Span{});
+              span_.begin() + static_cast<std::ptrdiff_t>(first) + box.y1, ChangedSpan{});
     flag_[static_cast<std::size_t>(tile)] = 0;
   }
   listed_.clear();
@@ -54,7 +55,7 @@ std::vector<BlockStrip> ChangedBlocks::strips() const {
   for (const int tile : tiles()) {
     const CellBox box = layout_.box(tile);
     for (int y = box.y0; y < box.y1; ++y) {
-      const Span& s = span(tile % layout_.columns(), y);
+      const ChangedSpan& s = span(tile % layout_.columns(), y);
       if (s.x1 != 0) strips.push_back({tile, y, s.x0, s.x1});
     }
   }
@@ -65,7 +66,7 @@ CellBox ChangedBlocks::box(int tile) const {
   const CellBox whole = layout_.box(tile);
   CellBox box{whole.x1, whole.x0, whole.y1, whole.y0};
   for (int y = whole.y0; y < whole.y1; ++y) {
-    const Span& s = span(tile % layout_.columns(), y);
+    const ChangedSpan& s = span(tile % layout_.columns(), y);
     if (s.x1 == 0) continue;
     box.x0 = std::min(box.x0, s.x0);
     box.x1 = std::max(box.x1, s.x1);

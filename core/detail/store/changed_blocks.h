@@ -37,17 +37,17 @@ class ChangedBlocks {
   CellBox box(int tile) const;
 
  private:
-  struct Span {
+  struct ChangedSpan {
     int x0 = 0, x1 = 0;
   };
-  const Span& span(int column, int y) const {
+  const ChangedSpan& span(int column, int y) const {
     return span_[static_cast<std::size_t>(column) *
                      static_cast<std::size_t>(layout_.guide().height) +
                  static_cast<std::size_t>(y)];
   }
 
   DetailLayout layout_;
-  std::vector<Span> span_;          // per column of tiles and row of the guide; x1 = 0: none
+  std::vector<ChangedSpan> span_;   // per column of tiles and row of the guide; x1 = 0: none
   std::vector<std::uint8_t> flag_;  // per tile: has a span
   std::vector<int> listed_;         // tiles with a span, in the order in which they came
 };

@@ -38,15 +38,15 @@ class ContactLine {
     int y, x0, x1;
     std::vector<float> weight;
   };
-  struct Taps {
+  struct ProfileTaps {
     std::vector<TapRow> row;
     float total = 0;
   };
-  static Taps taps_around(float from_x, float from_y, float reach_m, float dx_m, float dy_m);
-  static float mean_depth(const Field<float>& depth_m, const Taps& taps, int x, int y);
+  static ProfileTaps taps_around(float from_x, float from_y, float reach_m, float dx_m, float dy_m);
+  static float mean_depth(const Field<float>& depth_m, const ProfileTaps& taps, int x, int y);
 
   float depth_m_;
-  Taps taps_x_, taps_y_;
+  ProfileTaps taps_x_, taps_y_;
 };
 
 }  // namespace pentimento::conservative

@@ -23,10 +23,10 @@ std::vector<const JsonNode*> objects(Fields& header, std::string_view name) {
   return list;
 }
 
-PigmentSpec::Spectrum parse_spectrum(Fields& pigment, const JsonNode& node) {
+PigmentSpec::Coefficients parse_spectrum(Fields& pigment, const JsonNode& node) {
   const std::string prefix = fmt::format("{}spectrum.", pigment.prefix());
   Fields fields(pigment.line(), node, prefix);
-  PigmentSpec::Spectrum spectrum;
+  PigmentSpec::Coefficients spectrum;
   spectrum.wavelength_nm =
       fields.required("wavelength", fields.numbers("wavelength", kWavelengthRange));
   spectrum.K = fields.required("K", fields.numbers("K", kAbsorptionRange));

@@ -24,10 +24,10 @@ struct PigmentSpec {
   std::optional<Rgb> color;  // one colour ...
   double opacity = 0.7;      // ... with this share of it over black (A25)
   std::optional<Rgb> K, S;   // per RGB
-  struct Spectrum {
+  struct Coefficients {
     std::vector<double> wavelength_nm, K, S;
   };
-  std::optional<Spectrum> spectrum;
+  std::optional<Coefficients> spectrum;
   bool library = false;  // `name` is of the built-in library
 };
 

@@ -28,7 +28,7 @@ std::string paper_json(const PaperSpec& paper) {
   return json.close();
 }
 
-std::string spectrum_json(const PigmentSpec::Spectrum& spectrum) {
+std::string spectrum_json(const PigmentSpec::Coefficients& spectrum) {
   JsonObject json;
   json.numbers("wavelength", spectrum.wavelength_nm);
   json.numbers("K", spectrum.K).numbers("S", spectrum.S);

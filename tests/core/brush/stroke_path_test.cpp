@@ -149,6 +149,15 @@ TEST(StrokePath, AJumpAcrossTheWorldStampsOnlyTheCanvas) {
   }
 }
 
+TEST(StrokePath, ReachesTheFootOfATallCanvas) {
+  StrokePath path(kSpacing, 0.5, 1.5);
+  std::vector<Stamp> stamps;
+  path.begin(sample_at(0.1, 1.4, 0));
+  path.add(sample_at(0.4, 1.4, 1), stamps);
+  path.finish(stamps);
+  EXPECT_NEAR(travel_sum(stamps), 0.3, 1e-6);
+}
+
 TEST(StrokePath, LeavesAndComesBackWhereItShould) {
   const auto stamps = stamps_of({sample_at(0.9, 0.3, 0), sample_at(1.5, 0.3, 1),
                                  sample_at(1.5, 0.5, 2), sample_at(0.9, 0.5, 3)});

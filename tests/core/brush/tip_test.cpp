@@ -220,6 +220,16 @@ TEST(Footprint, TheBoxHoldsTheWholeTip) {
   }
 }
 
+TEST(Footprint, AGridDrawsNoTipFinerThanOneAndAHalfOfItsCells) {
+  const CanvasGeometry grid{100, 400, 0.2,
+                            0.2};  // cells of 2 mm x 0.5 mm: 1 mm each, by their area
+  EXPECT_NEAR(cell_size_m(grid), 0.001f, 1e-9f);
+  Stamp stamp = upright();
+  EXPECT_FLOAT_EQ(pose_on(grid, stamp, *builtin_brush("round")).diameter_m, 0.02f);
+  stamp.diameter_m = 1e-4f;
+  EXPECT_FLOAT_EQ(pose_on(grid, stamp, *builtin_brush("round")).diameter_m, 0.0015f);
+}
+
 TEST(Footprint, BoxesAreCutAtTheCanvas) {
   const CanvasGeometry geometry{100, 100, 0.2, 0.2};
   Stamp stamp = upright();

@@ -116,7 +116,7 @@ TEST(DetailFollower, HasTheSameBitsWhenItsTilesWereWrittenOut) {
 TEST(DetailFollower, AFreshCanvasRemembersNoStamp) {
   test::Painted painted(64, 2);
   painted.stamp_once(0.1, 0.07);
-  EXPECT_FALSE(painted.follower().checkpoint().left.empty());
+  EXPECT_FALSE(painted.follower().checkpoint().stamped.empty());
   painted.sim().clear();
   EXPECT_EQ(painted.follower().checkpoint(), test::Painted(64, 2).follower().checkpoint());
 }
@@ -140,7 +140,7 @@ CellBox noted_changed(const test::Painted& painted) {
 TEST(DetailFollower, LocksAStampsCellsAndTheRingAroundThem) {
   test::Painted painted(64, 2);
   painted.stamp_once(0.1, 0.07);
-  std::vector<StampedBlock> stamped = painted.follower().checkpoint().left;  // by rows
+  std::vector<StampedBlock> stamped = painted.follower().checkpoint().stamped;  // by rows
   ASSERT_FALSE(stamped.empty());
   CellBox box{stamped[0].x, stamped[0].x + 1, stamped[0].y, stamped.back().y + 1};
   for (const StampedBlock& block : stamped)

@@ -17,13 +17,13 @@ CarriedPaint::Contact upon(std::uint32_t mask) {
 
 TEST(CarriedPaint, ABandLaysWhatItWasDippedInto) {
   CarriedPaint paint;
-  paint.dip(kBlue, 0, 1);
-  paint.dip(kRed, 0.5, 1);
+  paint.dip(kBlue, kAllRows);
+  paint.dip(kRed, rows_across(0.5f, 1));
   for (int band = 0; band < CarriedPaint::kBands; ++band) {
     EXPECT_EQ(paint.deposited(band), band < CarriedPaint::kBands / 2 ? kBlue : kRed) << band;
     EXPECT_EQ(paint.loaded(band), paint.deposited(band));
   }
-  paint.dip(kBlue, 0.5, 0.5);  // as in the reservoir, a row at least
+  paint.dip(kBlue, rows_across(0.5f, 0.5f));  // a row of the reservoir at least
   EXPECT_EQ(paint.deposited(CarriedPaint::kBands / 2), kBlue);
   EXPECT_EQ(paint.deposited(CarriedPaint::kBands / 2 + 1), kRed);
 }
@@ -37,7 +37,7 @@ TEST(CarriedPaint, BandsDivideTheTipsWidth) {
 
 TEST(CarriedPaint, LaysWhatItTookUpUntilTheLoadHasReplacedIt) {
   CarriedPaint paint;
-  paint.dip(kBlue, 0, 1);
+  paint.dip(kBlue, kAllRows);
   paint.pass(upon(kRed), 0.25, 0.1);
   EXPECT_EQ(paint.deposited(3), kBlue | kRed);
   // 0.25 x 0.9 of it, then 0.9 of that each time: under 3e-4 after 63 more.
@@ -50,15 +50,12 @@ TEST(CarriedPaint, LaysWhatItTookUpUntilTheLoadHasReplacedIt) {
 }
 
 TEST(CarriedPaint, AKnifeLaysOnlyWhatItTookUp) {
-  CarriedPaint paint;
-  paint.dip(kBlue, 0, 1);
-  paint.take(false);
+  CarriedPaint paint;  // never dipped
   EXPECT_EQ(paint.deposited(0), 0u);
   paint.pass(upon(kRed), 0.25, 0);
   for (int i = 0; i < 100; ++i) paint.pass(upon(0), 0.25, 0);
   EXPECT_EQ(paint.deposited(0), kRed);
-  paint.take(true);
-  EXPECT_EQ(paint.deposited(0), kBlue);
+  EXPECT_EQ(paint.loaded(0), 0u);
 }
 
 }  // namespace

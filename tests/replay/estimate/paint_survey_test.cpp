@@ -10,13 +10,13 @@ namespace {
 
 /// A log of `events` on 400 x 300 cells, 1 mm each, of a blue and a red.
 Result<LogSession> session_of(const test::Scratch& scratch, const std::string& events, int detail,
-                              const std::string& optics = "rgb") {
+                              const std::string& optics = "rgb", const RenderJob& more = {}) {
   test::spill(scratch.path("a.jsonl"),
               R"({"type":"header","format":"pentimento-log","version":1,"canvas":{"width":0.4,)"
               R"("height":0.3},"grid":{"width":400,"height":300},"palette":[{"name":"blue",)"
               R"("color":"#1f2f8c"},{"name":"red","color":"#8c2f1f"}],"optics":")" +
                   optics + "\"}\n" + events);
-  RenderJob job;
+  RenderJob job = more;
   job.log = scratch.path("a.jsonl");
   job.detail = detail;
   return open_session(job, Control());
@@ -37,9 +37,9 @@ std::string red() {
   return line(R"({"t":1,"type":"color","pigment":"red"})");
 }
 
-PaintSurvey survey(const std::string& events, int detail = 8) {
+PaintSurvey survey(const std::string& events, int detail = 8, const RenderJob& more = {}) {
   const test::Scratch scratch;
-  auto session = session_of(scratch, events, detail);
+  auto session = session_of(scratch, events, detail, "rgb", more);
   EXPECT_TRUE(session) << session.error().message;
   auto found = survey_paint(*session, DetailCost());
   EXPECT_TRUE(found) << found.error().message;
@@ -124,6 +124,36 @@ TEST(PaintSurvey, TiltedPaintStaysAwake) {
   EXPECT_EQ(flat.tilted_cell_steps, 0);
   // 8 s of 45 steps besides 9 after each tile's last touch.
   EXPECT_GT(survey(stroke(0, 0.15) + tilt + end).tilted_cell_steps, 10 * flat.awake.cell_steps);
+}
+
+TEST(PaintSurvey, AGivenGravityStandsInPlaceOfTheLogs) {
+  const std::string thin = line(R"({"t":0,"type":"slider","name":"pigment","value":0.15})");
+  const std::string end = line(R"({"t":9,"type":"mark","name":"end"})");
+  const std::string tilt = line(R"({"t":1,"type":"gravity","x":0,"y":9.81,"z":0})");
+  RenderJob lying, upright;
+  lying.gravity = {0, 0, 9.81};
+  upright.gravity = {0, 9.81, 0};
+  const std::string flat = thin + stroke(0, 0.15) + end;
+  const std::string tilted = thin + stroke(0, 0.15) + tilt + end;
+  EXPECT_GT(survey(tilted).tilted_cell_steps, 0);
+  const PaintSurvey laid_down = survey(tilted, 8, lying);
+  EXPECT_EQ(laid_down.tilted_cell_steps, 0);
+  EXPECT_EQ(laid_down.tiles, 21 * 3);  // nothing runs down
+  EXPECT_EQ(survey(flat).tilted_cell_steps, 0);
+  const PaintSurvey stood_up = survey(flat, 8, upright);
+  // From the first step on, not from 1 s.
+  EXPECT_GT(stood_up.tilted_cell_steps, survey(tilted).tilted_cell_steps);
+  EXPECT_GT(stood_up.tiles, 21 * 4);
+}
+
+TEST(PaintSurvey, WhatFollowsTheStopIsNotPaintedThoughTheSessionSettles) {
+  RenderJob job;
+  job.stops = {*parse_stop_point("1")};
+  job.settle_s = 3;
+  const PaintSurvey first = survey(stroke(0, 0.15));
+  const PaintSurvey stopped = survey(stroke(0, 0.15) + stroke(2, 0.05), 8, job);
+  EXPECT_EQ(stopped.stamps, first.stamps);
+  EXPECT_EQ(stopped.tiles, first.tiles);
 }
 
 TEST(PaintSurvey, CountsWhatADumpBrings) {

@@ -79,35 +79,58 @@ TEST(Sleep, AStampWakesOnlyWhatItTouches) {
   EXPECT_FALSE(b.step());
 }
 
-TEST(Sleep, AStampsReachIsThreeCellsAndWhatItPushes) {
-  // Touched cells and the next to the right and below count, three cells more on each side, and
-  // whole cells of the push: 8 mm are 8 cells along x and 4 along y.
-  const auto awake = [](int x, int y, float push_x_m, float push_y_m) {
-    Basin b({128, 64, 0.128, 0.128});  // cells of 1 mm by 2 mm: tiles of 16 x 8
-    b.model.sleep_tile_m = 0.016f;
-    b.steps(2);
-    EXPECT_EQ(awake_tiles(b), (std::vector<int>{}));
-    b.contact.weight(x, y) = 1;
-    b.contact.push_x_m(x, y) = push_x_m;
-    b.contact.push_y_m(x, y) = push_y_m;
-    b.contact.touch_rows(y, y + 1);
-    const StepInput in{b.model, b.gravity_m_s2, b.dt_s, b.contact, b.amount, b.pool};
-    SleepTiles tiles(b.state.geometry, b.model.sleep_tile_m);
-    tiles.wake(b.state, in);
+/// A bare canvas of cells of 1 mm by 2 mm, asleep, in 8 x 8 tiles of 16 x 8 cells.
+class WakeTest : public ::testing::Test {
+ protected:
+  WakeTest() : b_({128, 64, 0.128, 0.128}) {
+    b_.model.sleep_tile_m = 0.016f;
+    b_.steps(2);
+  }
+  static int at(int column, int row) { return row * 8 + column; }
+  std::vector<int> wake() {
+    SleepTiles tiles(b_.state.geometry, b_.model.sleep_tile_m);
+    tiles.wake(b_.state, {b_.model, b_.gravity_m_s2, b_.dt_s, b_.contact, b_.amount, b_.pool});
+    clear(b_.contact);
     return tiles.awake_tiles();
-  };
-  // Tile (2, 3) is that of columns 32 to 47 and rows 24 to 31.
-  const auto at = [](int column, int row) { return row * 8 + column; };
-  using List = std::vector<int>;
-  EXPECT_EQ(awake(35, 27, 0, 0), (List{at(2, 3)}));
-  EXPECT_EQ(awake(34, 27, 0, 0), (List{at(1, 3), at(2, 3)}));
-  EXPECT_EQ(awake(43, 27, 0, 0), (List{at(2, 3)}));
-  EXPECT_EQ(awake(44, 27, 0, 0), (List{at(2, 3), at(3, 3)}));
-  EXPECT_EQ(awake(40, 26, 0, 0), (List{at(2, 2), at(2, 3)}));
-  EXPECT_EQ(awake(40, 28, 0, 0), (List{at(2, 3), at(2, 4)}));
-  EXPECT_EQ(awake(40, 27, 0.003f, 0), (List{at(2, 3)}));
-  EXPECT_EQ(awake(40, 27, -0.008f, 0), (List{at(1, 3), at(2, 3), at(3, 3)}));
-  EXPECT_EQ(awake(40, 27, 0, 0.008f), (List{at(2, 2), at(2, 3), at(2, 4)}));
+  }
+  std::vector<int> wake_by_stamp(int x, int y, float push_x_m, float push_y_m) {
+    b_.contact.weight(x, y) = 1;
+    b_.contact.push_x_m(x, y) = push_x_m;
+    b_.contact.push_y_m(x, y) = push_y_m;
+    b_.contact.touch_rows(y, y + 1);
+    return wake();
+  }
+
+  Basin b_;
+};
+using List = std::vector<int>;
+
+// Tile (2, 3) is that of columns 32 to 47 and rows 24 to 31. Cell x and its next one to the right
+// (below) count, and three cells more on each side.
+TEST_F(WakeTest, AStampReachesThreeCells) {
+  EXPECT_EQ(wake(), List{});
+  EXPECT_EQ(wake_by_stamp(35, 27, 0, 0), (List{at(2, 3)}));
+  EXPECT_EQ(wake_by_stamp(34, 27, 0, 0), (List{at(1, 3), at(2, 3)}));
+  EXPECT_EQ(wake_by_stamp(43, 27, 0, 0), (List{at(2, 3)}));
+  EXPECT_EQ(wake_by_stamp(44, 27, 0, 0), (List{at(2, 3), at(3, 3)}));
+  EXPECT_EQ(wake_by_stamp(40, 26, 0, 0), (List{at(2, 2), at(2, 3)}));
+  EXPECT_EQ(wake_by_stamp(40, 28, 0, 0), (List{at(2, 3), at(2, 4)}));
+}
+
+TEST_F(WakeTest, APushReachesAsFarAsItPushes) {
+  // 8.5 mm are 8 cells along x, 9 mm are 4 along y, and three more.
+  EXPECT_EQ(wake_by_stamp(40, 27, 0.0005f, 0), (List{at(2, 3)}));
+  EXPECT_EQ(wake_by_stamp(40, 27, -0.0085f, 0), (List{at(1, 3), at(2, 3), at(3, 3)}));
+  EXPECT_EQ(wake_by_stamp(40, 30, 0, 0.009f), (List{at(2, 2), at(2, 3), at(2, 4)}));
+}
+
+TEST_F(WakeTest, PaintThatMovesReachesAsFarAsItComesInAStep) {
+  b_.state.sleep[static_cast<std::size_t>(at(2, 3)) * kSleepValues + kAsleep] = 0;
+  b_.state.velocity_y_m_s(40, 30) = 0.009f / b_.dt_s;  // 4.5 cells
+  EXPECT_EQ(wake(), (List{at(2, 2), at(2, 3), at(2, 4)}));
+  b_.state.velocity_y_m_s(40, 30) = 0;
+  b_.state.velocity_x_m_s(40, 27) = 0.0085f / b_.dt_s;  // 8.5 cells
+  EXPECT_EQ(wake(), (List{at(1, 3), at(2, 3), at(3, 3)}));
 }
 
 TEST(Sleep, GravityWakesPaintThatFeelsIt) {
