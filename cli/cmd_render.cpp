@@ -90,7 +90,7 @@ void add_limit_options(CLI::App& app, RenderOptions& o) {
   app.add_flag("--dry-run", o.dry_run, "tell size, steps, memory, disk and time; do nothing");
 }
 
-/// The text options into the job.
+/// Parses the options that are text into the job.
 Result<void> complete(RenderOptions& o) {
   RenderJob& job = o.job;
   if (!o.scheme.empty()) job.model.emplace_back("scheme", o.scheme);

@@ -1,5 +1,6 @@
 #pragma once
-// The options that `render` and `relight` share: what is written, how large, in which light.
+// The options that `render` and `relight` share: which files are written, how large, in which
+// light.
 
 #include <cstdint>
 #include <optional>
@@ -15,7 +16,8 @@ class App;
 
 namespace pentimento::cli {
 
-/// As typed; values() turns them into what the job takes.
+/// The options as typed. The member functions turn them into the values that a job takes.
+/// Errors: kUsage.
 struct PictureOptions {
   std::vector<std::string> outputs;
   std::optional<int> width, height;
@@ -39,7 +41,7 @@ struct PictureOptions {
   Result<void> development(log::PictureSpec& picture) const;
 };
 
-/// How the job talks: progress, words, the closing report.
+/// The options of progress, messages and the closing report.
 struct TalkOptions {
   bool quiet = false, json = false;
   std::string progress = "auto";
@@ -47,7 +49,8 @@ struct TalkOptions {
   void add_to(CLI::App& app);
 };
 
-/// Something must be written, and standard output cannot carry a picture and a report.
+/// Checks that something is written, and that not both a picture and a report go to standard
+/// output.
 /// Errors: kUsage.
 Result<void> check_outputs(const std::vector<std::string>& outputs, bool json);
 

@@ -59,7 +59,7 @@ void ProgressPrinter::clear_line() {
   line_open_ = false;
 }
 
-/// The first and the last of a phase, and a few in between.
+/// Progress is shown at the start and the end of a phase, and a few times in between.
 bool ProgressPrinter::is_due(const ProgressState& state) {
   const Clock::time_point now = Clock::now();
   const bool first = state.phase != phase_;

@@ -26,7 +26,7 @@ int resolved(int count) {
 struct Threads::Arena {
   explicit Arena(int n) : count(n), arena(n) {
     if (n > machine_threads()) {
-      // Else TBB says on standard error that it gives fewer than asked for.
+      // Without this TBB complains on standard error that it gives fewer threads than asked for.
       more_workers.emplace(tbb::global_control::max_allowed_parallelism,
                            static_cast<std::size_t>(n));
     }

@@ -48,7 +48,7 @@ struct BrushDefinition {
   float stiffness = -1;            // 0..1 in place of the slider's; negative: the slider's
   float grip = 1;                  // how unevenly bristles hold the paint that they meet, 0..1
   float capacity = 200;            // R24: diameters on dry canvas that empty a full brush
-  float film = 1;                  // share of the sliders' film that it lays; 0: nothing
+  float film = 1;                  // share of the sliders' film it deposits; 0: nothing
   float absorb = 0;                // share of the paint under it that a rag keeps, per diameter
   bool scrapes = false;            // a blade: it takes what stands above its edge
 

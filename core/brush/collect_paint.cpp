@@ -28,7 +28,7 @@ struct Tent {
 using Across = Tent<kReservoirRows>;
 using AlongTent = Tent<kReservoirColumns>;
 
-/// Of the weights, those of texels that the tip covers.
+/// Keeps of the weights only those of texels that the tip covers.
 float covered_weight(const AlongTent& along, const Across& across, const Tip& tip) {
   float total = 0;
   for (int j = across.begin; j < across.end; ++j) {
@@ -51,7 +51,8 @@ bool is_nothing(const float* paint, int stride) {
   return true;
 }
 
-/// To the four texels around a place, as a sample there would weigh them. False: none is the tip's.
+/// Gives a cell's paint to the four texels around it, with the weights of a sample there. False if
+/// the tip covers none of them.
 bool give_to_four(const float* paint, float factor, Vec2f at, const Tip& tip,
                   Reservoir& reservoir) {
   const float x = std::clamp(at.x, 0.0f, kReservoirColumns - 1.0f);
@@ -80,7 +81,8 @@ struct TentPlace {
   float at = 0, half = 1;
 };
 
-/// To all texels that a cell wider than they are reaches. False: none is the tip's.
+/// Gives the paint of a cell wider than a texel to all texels that it reaches. False if the tip
+/// covers none of them.
 bool give_to_tents(const float* paint, float factor, TentPlace u, TentPlace v, const Tip& tip,
                    Reservoir& reservoir) {
   const AlongTent along(u.at, u.half);
@@ -97,7 +99,7 @@ bool give_to_tents(const float* paint, float factor, TentPlace u, TentPlace v, c
   return true;
 }
 
-/// What reached no texel, spread evenly.
+/// Spreads the paint that reached no texel evenly.
 void spread(std::span<const float> paint, const Tip& tip, Reservoir& reservoir) {
   const float share = 1 / static_cast<float>(tip.texels().size());
   for (const TipTexel& t : tip.texels())

@@ -11,13 +11,13 @@ constexpr int kPadding = 4;       // floats: a texel is whole vectors
 constexpr float kTrace = 1e-20f;  // less is nothing: subnormal numbers are slow
 constexpr int kCells = 64;        // of a row, sampled together
 
-/// The first of the four texels around each cell, and what each of the four counts.
+/// The first of the four texels around each cell, and the weights of the four.
 struct CellTexels {
   std::array<int, kCells> texel;
   std::array<std::array<float, kCells>, 4> weight;
 };
 
-/// What sample() finds for a cell.
+/// Finds the same as sample() does for a cell.
 PENTIMENTO_KERNEL
 void find_texels(const TipRow& given, int first, int n, CellTexels& out) {
   const TipRow tip = given;  // nobody else's: what is stored below does not change it
@@ -42,7 +42,7 @@ void find_texels(const TipRow& given, int first, int n, CellTexels& out) {
   }
 }
 
-/// `kStride`: floats per texel, or 0: `given_stride` are.
+/// `kStride`: floats per texel; 0: `given_stride` floats.
 template <int kStride>
 inline void blend_cells(const float* data, int given_stride, const CellTexels& at, int n,
                         float* out) {

@@ -24,7 +24,8 @@ std::uint64_t seed_of(const std::string& name) {
   return hash;
 }
 
-/// Which two of `count` evenly spaced things in [0,1] are around `at`, and how far it is between.
+/// Which two of `count` evenly spaced points in [0,1] lie around `at`, and where `at` lies between
+/// them.
 struct TexelPlace {
   std::size_t low = 0, high = 0;
   float frac = 0;

@@ -45,7 +45,7 @@ void add_weighted_row(float weight, const float* in, int n, float* __restrict ou
   for (int i = 0; i < n; ++i) out[i] += weight * in[i];
 }
 
-/// What a box of `width` texels takes of each texel around its middle one.
+/// The share that a box of `width` texels takes of each texel around its middle texel.
 std::vector<float> box_weights(float width) {
   const float half = 0.5f * width;
   const int reach = static_cast<int>(std::ceil(half - 0.5f));
@@ -101,8 +101,8 @@ void read_row(const float* map, int stride, const MapRow& at, int first, int n,
   }
 }
 
-/// At least size x size values, those zero; a larger map stays, so that stamps in turn need no
-/// memory of their own.
+/// Makes a map of at least size x size values and sets those to zero. A larger map stays, so that
+/// stamp after stamp needs no new memory.
 void make_room(Field<float>& map, int size) {
   if (map.width() < size) {
     map = Field<float>(size, size);
@@ -156,7 +156,7 @@ void TipFootprint::average(float texels) {
                        map_.row(y));
 }
 
-/// `u_texels`: how far the map goes beyond the tip's own cover.
+/// `u_texels`: how far the map reaches beyond the tip itself.
 void TipFootprint::find_halves(const TipExtent& extent, float u_texels, float v_texels) {
   constexpr float kAround = 2.5f;  // half a texel of the tip's, a bilinear step or two, rounding
   const float half = 0.5f * static_cast<float>(size_);

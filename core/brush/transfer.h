@@ -58,7 +58,7 @@ class Transfer {
     double share = 0;          // after levelling
     double ahead = 0;          // value where the stroke has not been yet
     double ahead_dry = 0;      // ... and the canvas is dry
-    double returned = 0;       // volume of the surplus that was laid
+    double returned = 0;       // volume of the surplus that was deposited
   };
 
   /// The cells of a row that the tip touches.

@@ -30,7 +30,8 @@ float half_length(const Tuft& tuft, float v) {
   return tuft.half_u * (round + tuft.corner * (1 - round));
 }
 
-/// Evenly over the width, each at a random place of its share; anywhere along the stroke.
+/// Bristles lie evenly over the width, each at a random place in its share of it, and anywhere
+/// along the stroke.
 Clump place(const Tuft& tuft, std::uint64_t seed, std::uint64_t track, std::size_t index,
             std::size_t count) {
   const float share =
@@ -86,8 +87,8 @@ void draw_mark(const BristleMark& mark, float radius, float value, Field<float>&
     }
   }
 }
-/// What share of the fullest row's paint the rows up to each hold, the fullest of them counting,
-/// from the first row on or from the last.
+/// For each row: the paint of the fullest row so far, over the paint of the fullest row of all. "So
+/// far" counts from the first row on, or from the last.
 std::vector<float> fill_from(const std::vector<double>& row, bool from_first) {
   const double most = *std::max_element(row.begin(), row.end());
   std::vector<float> fill(row.size());
@@ -100,8 +101,8 @@ std::vector<float> fill_from(const std::vector<double>& row, bool from_first) {
   return fill;
 }
 
-/// A stroke squeezes its paint to its sides, where it stands in a steep rim: few bristles reach
-/// there, and what they lay is not the fringe that thins out with their number.
+/// A stroke squeezes its paint to its sides, where it stands as a steep rim. Few bristles reach
+/// there, but the paint that they deposit does not thin out with their number.
 ///   row *= (1 - (1 - f)^3) / f, nothing where f is a trace, f: how full rows are up to this one
 void raise_rims(Field<float>& map) {
   std::vector<double> row(static_cast<std::size_t>(map.height()));
@@ -155,7 +156,7 @@ std::vector<Bristle> make_bristles(const Tuft& tuft, std::uint64_t seed) {
     Bristle bristle;
     bristle.u = own.u + pull * (clump.u - own.u);
     bristle.v = own.v + pull * (clump.v - own.v);
-    // Pressed, clumps part: each goes its own way, the outer ones outwards.
+    // Pressed clumps part: each goes its own way, the outer ones outwards.
     bristle.out_u = 0.06f * set.clumping * clump.length;
     bristle.out_v =
         0.07f * set.clumping * (2 * uniform(seed, kClumpTrack, i * clumps / count, 4) - 1);

@@ -49,7 +49,8 @@ Result<std::unique_ptr<TileStore>> TileStore::open(const TileStoreOptions& optio
   return store;
 }
 
-/// A file without a name; where the file system has no such thing, one whose name is taken away.
+/// A file without a name. If the file system does not support that, a file whose name is removed at
+/// once.
 Result<void> TileStore::open_file() {
   const std::string& folder = options_.scratch;
   file_ = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
@@ -63,7 +64,7 @@ Result<void> TileStore::open_file() {
   return {};
 }
 
-/// Space on the disk, so that writing to the mapping cannot end in SIGBUS.
+/// Reserves space on the disk, so that writing to the mapping cannot end in SIGBUS.
 Result<void> TileStore::reserve(std::int64_t offset, std::size_t bytes) const {
   int problem = 0;
   do {

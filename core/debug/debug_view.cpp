@@ -22,8 +22,8 @@ constexpr std::array<std::pair<std::string_view, DebugView>, 5> kNames = {
 constexpr Code8 kAtRest = {24, 24, 24};
 constexpr Code8 kBare = {240, 234, 218};
 constexpr Code8 kDried = {150, 128, 104};
-/// Of no layer, one, two ...: apart from each other also to the colour blind (after Okabe and Ito
-/// 2008).
+/// The colours of no layer, one, two and so on. People who are colour blind can tell them apart,
+/// too (after Okabe and Ito 2008).
 constexpr std::array<Code8, 9> kLayerColors = {{{40, 40, 40},
                                                 {86, 180, 233},
                                                 {230, 159, 0},

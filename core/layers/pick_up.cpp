@@ -9,7 +9,8 @@
 namespace pentimento {
 
 namespace {
-/// Less than this is lifted whole, before it fades into subnormal numbers, which are slow.
+/// An amount below this is picked up as a whole, before it becomes a subnormal number, which is
+/// slow.
 constexpr float kTrace = 1e-20f;
 
 /// Takes share[i] of values[i]; `gone`: what left, exactly.
@@ -24,13 +25,13 @@ void take(const float* share, int cells, float* __restrict values, float* __rest
   }
 }
 
-/// Where what is lifted is noted: per cell, `stride` floats apart, and its sums per component.
+/// Where the picked up paint goes: one component per cell, `stride` floats apart, and its sum.
 struct Record {
   float* picked_up = nullptr;  // nullptr: nobody asks
   int stride = 0;
   std::span<double> sums;
 
-  /// Adds what left one component, its sum from four interleaved ones.
+  /// Adds the paint that left one component. The sum is that of four interleaved sums.
   void note(const PacketValues& gone, int cells, int first, int component) const {
     if (picked_up == nullptr) return;
     float* taken = picked_up + static_cast<std::ptrdiff_t>(first) * stride + component;
@@ -44,7 +45,8 @@ struct Record {
   }
 };
 
-/// A block of cells: where it starts, and the share lifted of each where the brush reaches fully.
+/// A packet of cells: where it starts, and the share that is picked up of each cell where the
+/// bristles reach fully.
 struct Packet {
   int first = 0, cells = 0;
   PacketValues share;
@@ -67,7 +69,7 @@ void find_parts(const PickUp& pick_up, const Packet& packet, const PacketTotals&
   }
 }
 
-/// Lifts from one layer.
+/// Picks up from one layer.
 void pick_up_layer(const PickUp& pick_up, const LayerRow& row, const Packet& packet,
                    const PacketTotals& totals, const std::array<int, kPacketCells>& occupied,
                    int layer, PacketValues& depth_weight, const Record& record) {

@@ -20,7 +20,7 @@ struct Model {
   float nu_min_m2_s = 1e-6f;             // viscosity at theta <= alpha
   float nu_max_m2_s = 1e-2f;             // viscosity at theta >= beta
   float max_pigment = 1.0f;              // full pigment slider
-  float max_medium_m = 0.05f;            // full medium slider; cap of the depth by deposit
+  float max_medium_m = 0.05f;            // deposits fill a cell no deeper
   float gamma = 0.2f;                    // alpha = gamma max_pigment / max_medium
   float zeta = 0.8f;                     // beta = zeta max_pigment / max_medium
   int jacobi_iterations = 4;             // sweeps of the `paper` scheme (R9)
@@ -35,7 +35,7 @@ struct Model {
   float brush_push = 0.2f;  // alpha of the stamp displacement; `conservative`
 
   // The rest of `conservative`; docs/numerics.md has the reason of each number.
-  float layer_speed = 2.0f;        // layer k of n moves with this (k + 1/2)/n u; 1 is the paper's
+  float layer_speed = 2.0f;        // layer speed = this times u times height in film; paper: 1
   float crowding_m_s2 = 200.0f;    // pressure of paint 20 % deeper than max_medium, per slope
   float sleep_tile_m = 1.0f / 32;  // side of a tile that sleeps or wakes as a whole
   float front_depth_m = 0.0025f;   // films less deep at the edge do not wet bare canvas; 0 = all do
@@ -47,8 +47,8 @@ struct Model {
   int height_cycles = 3;            // V-cycles per step
 
   // Brush and transfer (R21-R28).
-  float film_medium_m = 0.002f;    // one pass with full medium slider lays this (mean over tip)
-  float film_pigment = 0.04f;      // one pass with full pigment slider lays this
+  float film_medium_m = 0.002f;    // one pass deposits this at full medium slider (tip's mean)
+  float film_pigment = 0.04f;      // one pass deposits this at full pigment slider
   float contact_levelling = 1.0f;  // 0 off; 1: less on bumps, more in hollows (A22)
 
   // Optics.

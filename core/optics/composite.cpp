@@ -22,7 +22,7 @@ float film_over(float Kx, float Sx, float ground) {
   return R + T * T * ground / std::max(1 - R * ground, 1e-7f);
 }
 
-/// What K c and S c of each layer of the cell are multiplied with; 0 for an empty layer.
+/// The factor on K c and S c of each layer of the cell; 0 for an empty layer.
 using LayerFactors = std::array<float, kMaxLayers>;
 LayerFactors layer_factors(const CompositeOptics& o, const CanvasState& s, int x, int y) {
   LayerFactors factor{};

@@ -19,12 +19,12 @@ constexpr float kSteepest = 0.98f;  // sine of a normal's slope
 constexpr double kFinest = 0.4;     // pixels that are halved no more, in roughnesses
 constexpr double kCoarsest = 1;     // pixels that a lobe is still summed over
 constexpr double kWidest = 4;       // of facets' slopes, in roughnesses
-/// Exponent of the least weight: without it products become denormal, which is slow.
+/// Exponent of the least weight. Without this limit, products become denormal, which is slow.
 constexpr float kFaintest = -60;
 /// Sums are kept this many side by side: their order is the same on every machine.
 constexpr std::size_t kLanes = 16;
 
-/// A panorama as what its pixels give, in rows.
+/// A panorama as rows of what its pixels contribute.
 struct Sources {
   int width = 0, height = 0;
   std::vector<float> x, y, z;           // direction
@@ -167,7 +167,7 @@ PixelRange pixels_near(const Sources& s, const std::array<double, 3>& d, double 
   return out;
 }
 
-/// Between the four nearest pixels; what a perfect mirror shows.
+/// Interpolates between the four nearest pixels: what a perfect mirror shows.
 std::array<float, 3> radiance(const Sources& s, const std::array<double, 3>& d) {
   const double u = (std::atan2(-d[0], d[2]) / (2 * kPi) + 0.5) * s.width - 0.5;
   const double v = std::acos(std::clamp(d[1], -1.0, 1.0)) / kPi * s.height - 0.5;
@@ -219,7 +219,7 @@ std::array<float, 3> shown(const Sources& s, const std::array<float, 3>& n, doub
           static_cast<float>(total(sums.blue) / weight)};
 }
 
-/// Normal of texel (i, j); none where no normal's four nearest texels lie.
+/// Normal of texel (i, j); nothing for a texel that no normal needs.
 std::optional<std::array<float, 3>> normal_at(int i, int j) {
   float x = static_cast<float>(2 * i + 1) / GlossTable::kSide - 1;
   float y = static_cast<float>(2 * j + 1) / GlossTable::kSide - 1;

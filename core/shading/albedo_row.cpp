@@ -39,7 +39,7 @@ void find_paint(const float* total, std::size_t n, float* there) {
   for (std::size_t i = 0; i < n; ++i) there[i] = total[i] > kEmptyLayerAmount ? 1.0f : 0.0f;
 }
 
-/// What K and S of a layer are multiplied with where it takes its share of the depth.
+/// The factor on K and S of a layer if optical thickness follows the layer's share of the depth.
 PENTIMENTO_KERNEL
 void share_depth(const float* depth_m, const float* occupied, const float* total,
                  float per_reference, std::size_t n, float* factor) {
@@ -122,7 +122,7 @@ class Layers {
     }
   }
 
-  /// All of them over R, which has the dry reflectance of `band`.
+  /// Lays all layers over R, which has the dry reflectance of `band`.
   void lay(const CompositeOptics& paint, Eigen::Index band, float* R) {
     for (std::size_t k = 0; k < count_; ++k) {
       K_.fill(0);

@@ -106,7 +106,8 @@ struct NearLines {
   CellChunk open;                           // 1 where nothing can hide it, else 0
 };
 
-/// `up_m`: how far the lamp is above the row, in the picture's plane; `column`: of the first cell.
+/// `up_m`: distance from the row to the lamp, upwards in the picture's plane; `column`: of the
+/// first cell.
 PENTIMENTO_KERNEL
 void aim(const HeightRows& rows, const NearLamp& lamp, int column, float up_m, std::size_t n,
          NearLines& out) {

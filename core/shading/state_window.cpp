@@ -50,7 +50,7 @@ std::size_t cells(const CellWindow& window) {
 /// Rows that one thread packs with the same buffers.
 constexpr int kGrain = 8;
 
-/// The planes that a row's colour follows from.
+/// The planes from which the colour of a row follows.
 class ColourRows {
  public:
   ColourRows(const CanvasSource& canvas, const CellWindow& window, bool has_paint)

@@ -1,5 +1,5 @@
 #pragma once
-// Parts of a canvas as texels, cells outside the grid repeating its edge.
+// Packs parts of a canvas as texels. Cells outside the grid repeat its edge.
 
 #include <vector>
 

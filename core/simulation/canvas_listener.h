@@ -1,6 +1,7 @@
 #pragma once
-// Whoever keeps a canvas of its own in step with the simulation's: told of everything that changes
-// paint, in its order. It may look at the simulation's state, never change it.
+// The interface of a listener that keeps a canvas of its own in step with the simulation's. It is
+// told of everything that changes paint, in the order of the changes. It may read the simulation's
+// state, but not change it.
 
 #include "core/brush/stamp_listener.h"
 #include "core/fluid/paint_edges.h"
@@ -17,7 +18,7 @@ class CanvasListener : public StampListener, public AdvectionListener {
   virtual void stepped(const CanvasState& state, const StepInput& in) = 0;
   /// All wet paint of `state` is about to dry.
   virtual void drying(const CanvasState& state, const ChannelBasis& basis, const Model& model) = 0;
-  /// The canvas is fresh; its ground may be another.
+  /// The canvas is fresh now; its substrate may be another one.
   virtual void cleared() = 0;
   /// The canvas became `state` by other means than painting.
   virtual void restored(const CanvasState& state) = 0;

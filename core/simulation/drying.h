@@ -1,5 +1,5 @@
 #pragma once
-// R20: the wet paint dries. Also what a canvas is before anything is painted on it.
+// Drying (R20): wet paint becomes part of the base.
 
 #include "core/base/threads.h"
 #include "core/canvas/canvas_state.h"
@@ -9,11 +9,11 @@
 
 namespace pentimento {
 
-/// What is wet on the canvas: sums over the cells in row order, times the cell's area.
+/// The wet paint on the canvas: sums over the cells in the order of rows, times the area of a cell.
 PaintFlow wet_paint(const CanvasState& state);
 
-/// b += d, d = 0; the dry layer's reflectance becomes that of the wet layers over it (R31); layers,
-/// stroke ids and velocities are cleared. `dried` grows by what was wet.
+/// Dries the canvas: b += d, d = 0. The dry layer's reflectance becomes that of the wet layers over
+/// it (R31). Layers, stroke ids and velocities are cleared. `dried` grows by what was wet.
 void dry_canvas(CanvasState& state, const ChannelBasis& basis, const Model& model,
                 const Threads& threads, PaintFlow& dried);
 

@@ -110,7 +110,7 @@ ColorMatrix to_xyz(ColorProfile profile) {
     const Vector3 xyz = xyz_of(primaries[c]);
     for (std::size_t i = 0; i < 3; ++i) columns[i][c] = xyz[i];
   }
-  // Each primary as strong as makes white of the three.
+  // Each primary is as strong as it must be for the three to make white.
   const ColorMatrix solve = inverse(columns);
   const Vector3 white = xyz_of(kWhiteD65);
   for (std::size_t c = 0; c < 3; ++c) {

@@ -105,7 +105,8 @@ std::string title_of(const IccHandle& profile) {
 
 std::vector<std::uint8_t> icc_profile(ColorProfile profile) {
   std::vector<std::uint8_t> bytes = bytes_of(make(profile));
-  // The library writes the present time. A fixed one, then the identity of the whole.
+  // The library writes the present time. It is replaced by a fixed time, and then the profile's
+  // identity is computed.
   constexpr std::array<std::uint8_t, kDateBytes> kDate = {7, 0xE8, 0, 1, 0, 1};  // 2024-01-01
   std::copy(kDate.begin(), kDate.end(), bytes.begin() + kDateOffset);
   const IccHandle dated = open(bytes);

@@ -15,7 +15,7 @@ std::string number_text(double value) {
   return fmt::format("{}", value);
 }
 
-/// The root's attributes, then those of /provenance that it does not have.
+/// The attributes of the root, then those of /provenance that the root does not have.
 Provenance whole_checkpoint(hid_t file, hid_t root) {
   Provenance checkpoint = hdf5::text_attributes(root);
   for (const char* name : {"step", "format_version", "detail"})

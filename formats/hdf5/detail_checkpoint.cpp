@@ -60,7 +60,7 @@ std::vector<float> left_values(const DetailCheckpoint& checkpoint) {
   return values;
 }
 
-/// Of names, shapes and values, little-endian.
+/// The hash of names, shapes and values, little-endian.
 std::string hash_of(const DetailCheckpoint& checkpoint, const CheckpointedCanvas& of) {
   Sha256 hash;
   const auto add = [&](const char* name, const char* type, const Shape& shape,
@@ -111,7 +111,7 @@ bool restore_released(const std::vector<double>& values, const CanvasGeometry& g
   return true;
 }
 
-/// Whether layers go to layers that there are.
+/// Whether all layers go to layers that exist.
 bool right_layers(const DetailCheckpoint& checkpoint, int layers) {
   const auto right = [&](std::uint32_t bits) {
     for (int layer = 0; layer < layers; ++layer)

@@ -1,6 +1,5 @@
 #pragma once
-// What a detail canvas keeps beside its planes, in a state dump: the group /detail. For this folder
-// only.
+// The checkpoint of the detail canvas in a state dump: the group /detail. For this folder only.
 
 #include <hdf5.h>
 
@@ -14,7 +13,7 @@
 
 namespace pentimento::hdf5 {
 
-/// The guide that the canvas is `factor` times finer than.
+/// The detail canvas of a checkpoint: its guide, and how many times finer it is.
 struct CheckpointedCanvas {
   const CanvasState& guide;
   int factor;
@@ -24,8 +23,9 @@ struct CheckpointedCanvas {
 bool write_checkpoint(hid_t file, const DetailCheckpoint& checkpoint, const CheckpointedCanvas& of,
                       int deflate_level, const Threads& threads);
 
-/// Nothing if the dump has no such group. `from` is the whole file. Errors: kBadInput (a dataset
-/// missing or of a wrong shape, a layer or cell that there is not, a hash that differs).
+/// Reads a checkpoint; nullopt if the dump has no group /detail. `from` is the whole file. Errors:
+/// kBadInput (a dataset that is missing or of a wrong shape, a layer or cell that does not exist, a
+/// hash that differs).
 Result<std::optional<DetailCheckpoint>> read_checkpoint(const CanvasGroup& from,
                                                         const CheckpointedCanvas& of);
 

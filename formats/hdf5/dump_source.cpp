@@ -92,7 +92,8 @@ bool DumpSource::load(const Key& key, std::vector<std::uint32_t>& values) const 
   const std::lock_guard<std::mutex> lock(library());
   const Silence silence;
   const Handle space(H5Dget_space(datasets_[index].id()), H5Sclose);
-  // Of the same shape as what is read: otherwise HDF5 goes value by value.
+  // The memory has the same shape as the selection in the file; otherwise HDF5 copies value by
+  // value.
   const Handle memory(H5Screate_simple(static_cast<int>(rank), count.data(), nullptr), H5Sclose);
   return H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, start.data(), nullptr, count.data(),
                              nullptr) >= 0 &&

@@ -1,6 +1,6 @@
 #pragma once
-// The detail canvas of a dump, read from the file part by part: what shading and comparing a poster
-// need, without ever holding all of it. For this folder only.
+// The detail canvas of a dump, read from the file part by part, so that shading and comparing large
+// pictures never hold all of it. For this folder only.
 
 #include <hdf5.h>
 
@@ -36,7 +36,7 @@ class DumpSource final : public CanvasSource {
   std::int64_t step() const override { return step_; }
   void read(PlaneId plane, int x, int y, std::span<float> out) const override;
   void read_strokes(int x, int y, std::span<std::uint32_t> out) const override;
-  /// The first part that could not be read, or that has a value that is not finite.
+  /// Error for the first part that could not be read or that has a value that is not finite.
   Result<void> status() const override;
 
  private:

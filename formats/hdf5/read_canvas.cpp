@@ -77,7 +77,8 @@ bool for_each_row(hid_t file, const std::string& name, const Shape& shape, hid_t
       const std::uint64_t rows = std::min(block, ny - y);
       hsize_t count[4] = {};
       if (!select_rows(space.id(), shape, plane * ny + y, rows, count)) return false;
-      // Of the same shape as what is read: otherwise HDF5 goes value by value.
+      // The memory has the same shape as the selection in the file; otherwise HDF5 copies value by
+      // value.
       const Handle memory(H5Screate_simple(static_cast<int>(rank), count, nullptr), H5Sclose);
       if (H5Dread(dataset.id(), type, memory.id(), space.id(), H5P_DEFAULT, values.data()) < 0)
         return false;

@@ -42,7 +42,7 @@ class StateReader {
       : path_(path), file_(file), root_(H5Gopen2(file, "/", H5P_DEFAULT), H5Gclose) {}
 
   Result<StateDump> read();
-  /// That the detail canvas has the hash it should have.
+  /// Checks that the detail canvas has the hash that the dump names.
   Result<void> check_fine(const StateDump& dump) const;
 
  private:
@@ -101,7 +101,7 @@ Result<void> StateReader::read_root(StateDump& dump) const {
   return {};
 }
 
-/// A parameter that the dump does not have keeps its default: it joined later.
+/// A parameter that the dump does not have is newer than the dump, and keeps its default.
 Result<void> StateReader::read_model(Model& model) const {
   for (const log::ModelField& field : log::model_fields()) {
     const std::string name(field.name);
@@ -146,7 +146,7 @@ Result<void> StateReader::read_basis(StateDump& dump) const {
   return {};
 }
 
-/// None are positive where the bands are red, green and blue.
+/// If the bands are red, green and blue, no wavelength is positive.
 Result<void> StateReader::read_wavelengths(const std::vector<double>& wavelength_m,
                                            StateDump& dump) const {
   constexpr double kDigits = 1e6;  // of a nm: the way to metres and back rounds
@@ -338,7 +338,7 @@ Result<StateDump> read_state(const std::string& path) {
     return signed_file.error();
   const Result<bool> right = hdf5::rehearse(path, [&] { return read_here(path, true).ok(); });
   if (!right) return right.error();
-  // What was found right need not be checked twice.
+  // A file that was found right need not be checked again.
   return read_here(path, !*right);
 }
 

@@ -10,8 +10,8 @@
 
 namespace pentimento::hdf5 {
 
-/// Runs `read` in a child of this process and tells what it returned. Errors: kBadInput with `path`
-/// if the child dies or takes longer than a dump can take; kIo if there can be no child.
+/// Runs `read` in a child of this process and returns what it returned. Errors: kBadInput with
+/// `path` if the child dies or takes longer than any dump can take; kIo if no child can be started.
 Result<bool> rehearse(const std::string& path, const std::function<bool()>& read);
 
 }  // namespace pentimento::hdf5

@@ -1,5 +1,5 @@
 #pragma once
-// The planes of a canvas into a dump. For this folder only.
+// Writes the planes of a canvas into a dump. For this folder only.
 
 #include <hdf5.h>
 

@@ -32,7 +32,7 @@ constexpr std::size_t kImageGrowth = std::size_t{4} << 20;
 constexpr const char* kGroups[] = {"/fluid",   "/canvas",   "/layers",
                                    "/palette", "/lighting", "/provenance"};
 constexpr const char* kGuideGroups[] = {"/guide", "/guide/fluid", "/guide/canvas", "/guide/layers"};
-// A canvas that is read again part by part has chunks that a part needs few of.
+// A canvas that is later read part by part gets square chunks, so that a part needs few of them.
 constexpr std::uint64_t kTileSide = 256;
 
 struct Hashes {
@@ -94,7 +94,7 @@ bool write_palette(hid_t file, const StateDump& dump) {
                      wavelength_m);
 }
 
-/// A picture of linear light as rows x columns x 3; nothing to do for none.
+/// Writes a picture of linear light as rows x columns x 3. Does nothing if there is no picture.
 bool write_light(hid_t file, const char* name, const char* what,
                  const std::array<Field<float>, 3>& rgb, int level, const Threads& threads) {
   const Field<float>& red = rgb[0];
@@ -232,7 +232,7 @@ bool stream_file(OutputFile& output, const StateDump& dump, const Hashes& hashes
   return H5Fclose(file.release()) >= 0 && ok;
 }
 
-/// Before anything is computed: can the target be written at all?
+/// Finds out before anything is computed whether the target can be written at all.
 Result<void> check_dump(const std::string& path, const StateDump& dump) {
   PENTIMENTO_CHECK(dump.basis.channels() == dump.state.channels);
   if (path == "-")

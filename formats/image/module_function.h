@@ -1,6 +1,6 @@
 #pragma once
-// The modules beside the command: libraries that take long to load and that few jobs need. Each is
-// loaded when the first of its functions is asked for, and stays loaded.
+// Modules: libraries beside the program that take long to load and that few jobs need. A module is
+// loaded when its first function is asked for, and stays loaded.
 
 #include <string>
 
@@ -19,7 +19,7 @@ struct ModuleFunction {
   Signature* call = nullptr;
 };
 
-/// As above, typed: `Signature` is that of the function.
+/// The same with a type: `Signature` is the signature of the function.
 template <typename Signature>
 Result<ModuleFunction<Signature>> module_function(const char* module, const char* function) {
   Result<void*> found = find_in_module(module, function);

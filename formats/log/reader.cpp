@@ -123,7 +123,7 @@ Result<void> LogReader::rewind() {
   Result<void> rewound = lines_.rewind();
   if (!rewound) return rewound;
   rules_ = LogRules(header_, options_);
-  // The header is known; what callers hold of it stays where it is.
+  // The header is known already. It is not replaced, for callers hold references to it.
   const Result<std::optional<Line>> line = lines_.next();
   if (!line) return located(line.error());
   return {};

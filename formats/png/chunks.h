@@ -19,7 +19,7 @@ inline constexpr std::uint8_t kSignature[8] = {0x89, 'P', 'N', 'G', '\r', '\n', 
 
 /// Length, type, data and CRC.
 PngBytes chunk(std::string_view type, std::span<const std::uint8_t> data);
-/// What a file says of itself before its pixels.
+/// What a PNG file says about itself before its pixels.
 struct Head {
   int width = 0, height = 0;
   int bit_depth = 8;
@@ -27,7 +27,7 @@ struct Head {
   std::optional<ColorProfile> profile;  // none: the samples are no colours
   double dpi = 0;                       // 0: not said
 };
-/// What stands before the first IDAT: signature, IHDR, sRGB or iCCP, pHYs, text.
+/// The bytes before the first IDAT: signature, IHDR, sRGB or iCCP, pHYs, text.
 /// Errors: kUsage for a provenance key that PNG cannot hold.
 Result<PngBytes> file_head(const Head& head, const Provenance& provenance);
 

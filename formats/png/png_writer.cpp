@@ -39,7 +39,7 @@ bool encode_numbers(const NumberScale& scale, const PictureStrip& strip, int y, 
     for (int c = 0; c < scale.channels; ++c) {
       const auto value = static_cast<double>(strip.plane[static_cast<std::size_t>(c)](x, y));
       if (std::isnan(value)) numbers = false;
-      // fmin and fmax take the number where the other is none.
+      // fmin and fmax return the number if the other argument is NaN.
       const double code =
           std::fmin(std::fmax((value - scale.offset) / scale.per_code + 0.5, 0), kLargestCode);
       const auto whole = static_cast<unsigned>(code);

@@ -1,6 +1,6 @@
 #pragma once
-// Videos in, of any kind that OpenCV reads, as linear light: the front camera's picture at a
-// moment. Frames are read in their order; going back begins anew.
+// Reads videos of any kind that OpenCV reads, as linear light: the picture of the front camera at a
+// moment. Frames are read in order; to go back, the reader begins anew.
 
 #include <array>
 #include <cstdint>
@@ -14,8 +14,8 @@
 
 namespace pentimento {
 
-/// By its first bytes: AVI, MP4 and QuickTime, Matroska and WebM, Ogg, MPEG. False also for what
-/// cannot be read.
+/// Whether a file is a video by its first bytes: AVI, MP4 and QuickTime, Matroska and WebM, Ogg,
+/// MPEG. False for a file that cannot be read.
 bool is_video(const std::string& path);
 
 class VideoReader {
@@ -27,8 +27,8 @@ class VideoReader {
   VideoReader(const VideoReader&) = delete;
   VideoReader& operator=(const VideoReader&) = delete;
 
-  /// Red, green and blue of the frame that is shown `time_s` >= 0 after the first; after the end
-  /// the last. A frame lasts 1 / frame rate. Errors: kBadInput, it has no frame.
+  /// Red, green and blue of the frame that is shown `time_s` >= 0 after the first frame; after the
+  /// end, the last frame. A frame lasts 1 / frame rate. Errors: kBadInput, the video has no frame.
   Result<std::array<Field<float>, 3>> frame_at(double time_s);
 
  private:

@@ -49,8 +49,8 @@ std::string extension_of(const std::string& path) {
   return extension;
 }
 
-/// The encoder's own file: what it holds follows from its extension, so it cannot be the temporary
-/// of an OutputFile. Goes away with this.
+/// The encoder's own file. Its extension decides the format, so it cannot be the temporary file of
+/// an OutputFile. The destructor removes it.
 class EncodedFile {
  public:
   explicit EncodedFile(const std::string& target) {
@@ -122,7 +122,7 @@ class VideoFile final : public PictureFile {
       file_->write(bytes.data(), static_cast<std::size_t>(encoded.gcount()));
       total += static_cast<std::uint64_t>(encoded.gcount());
     }
-    // The encoder does not tell of a full disk; an unreadable or empty file does.
+    // The encoder does not report a full disk. A file that is empty or cannot be read shows it.
     if (!encoded.eof() || total == 0)
       return Error{ErrorCode::kIo, path_ + ": the film could not be encoded"};
     return file_->complete();

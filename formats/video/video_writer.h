@@ -1,7 +1,7 @@
 #pragma once
-// Videos out: Motion JPEG in .avi, MPEG-4 in .mp4 and .mkv. A frame is a whole picture of strips;
-// its light becomes sRGB as in a PNG of 8 bits. The encoder writes a file without a name beside the
-// target; what gets the name is that file, whole.
+// Writes videos: Motion JPEG in .avi, MPEG-4 in .mp4 and .mkv. A frame is a whole picture in
+// strips, and its light becomes sRGB as in a PNG of 8 bits. The encoder writes a temporary file
+// beside the target; the whole file then gets the name.
 
 #include <memory>
 #include <string>
@@ -20,10 +20,10 @@ struct VideoOptions {
   int threads = 1;
 };
 
-/// By its extension: .avi, .mp4 or .mkv, in any case.
+/// Whether a name has the extension .avi, .mp4 or .mkv, in upper or lower case.
 bool is_video_name(const std::string& path);
 
-/// Takes frame after frame: a strip that begins at row 0 begins the next. complete() ends the
+/// Takes frame after frame: a strip that begins at row 0 begins the next frame. complete() ends the
 /// video. Errors: kUsage (an odd side), kIo (no encoder, not writable), kNonFinite from write().
 Result<std::unique_ptr<PictureFile>> create_video(const std::string& path,
                                                   const VideoOptions& options);

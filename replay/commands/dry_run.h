@@ -1,5 +1,5 @@
 #pragma once
-// `--dry-run`: what a job would take, without doing it.
+// `--dry-run`: estimates what a job would take, without doing it.
 
 #include <cstdint>
 #include <string>
@@ -18,13 +18,13 @@ struct JobEstimate {
   std::int64_t steps = 0;
   JobNeeds needs;
   PaintSurvey survey;
-  double cell_step_s = 0;  // of a small wet canvas on this machine, one thread
-  double time_s = 0;       // on this machine, were it idle
+  double cell_step_s = 0;  // measured on a small wet canvas on this machine, one thread
+  double time_s = 0;       // estimate for this machine if it is idle
   std::string log_sha256;
 };
 
-/// Reads the log, lays out its strokes, and times a few steps of a small wet canvas. Errors: as
-/// render() before its first step.
+/// Reads the log, surveys its strokes, and times a few steps of a small wet canvas. Errors: those
+/// of render() before its first step.
 Result<JobEstimate> dry_run(const RenderJob& job, const Control& control);
 
 std::string estimate_json(const JobEstimate& estimate);

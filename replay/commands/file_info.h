@@ -1,5 +1,5 @@
 #pragma once
-// `pentimento info`: what a file is and holds, told from its content.
+// `pentimento info`: finds out from a file's content what it is and holds.
 
 #include <optional>
 #include <string>
@@ -10,14 +10,14 @@
 
 namespace pentimento {
 
-/// One of the two.
+/// What a file holds: `log` or `output` is set.
 struct FileInfo {
   std::string file;
   std::optional<LogFacts> log;
   std::optional<FileDescription> output;  // a picture or a state dump
 };
 
-/// Errors: of whichever kind of file it is.
+/// Describes a file. Errors: those of its kind of file.
 Result<FileInfo> file_info(const std::string& path, const log::ReaderOptions& reading);
 
 std::string info_json(const FileInfo& info);

@@ -30,7 +30,7 @@ Result<std::vector<PlannedOutput>> plan_pictures(const PictureChoice& picture) {
   return std::move(plan->front());
 }
 
-/// Other paints, another light's colour, another eye.
+/// Applies other paints, another illuminant, another observer.
 Result<void> look_otherwise(const RelightJob& job, StateDump& dump) {
   const bool spectral = dump.model.optics == OpticsKind::kSpectral;
   const std::pair<const char*, const std::optional<std::string>&> names[] = {

@@ -25,8 +25,8 @@ struct RelightJob {
   std::string command;  // without its -o
 };
 
-/// Errors: those of the dump; kUsage for outputs that are no pictures, or a lamp that would follow
-/// gravity, which a dump does not know.
+/// Does the job. Errors: those of the dump; kUsage for outputs that are no pictures, or for a lamp
+/// that follows gravity, which a dump does not tell.
 Result<JobReport> relight(const RelightJob& job, const Control& control);
 
 }  // namespace pentimento

@@ -1,5 +1,5 @@
 #pragma once
-// `pentimento render`: a log becomes pictures and state dumps.
+// `pentimento render`: turns a log into pictures and state dumps.
 
 #include "core/base/result.h"
 #include "replay/job/control.h"
@@ -8,7 +8,7 @@
 
 namespace pentimento {
 
-/// Nothing is published unless everything could be written.
+/// Does the job. No file is published unless all files could be written.
 Result<JobReport> render(const RenderJob& job, const Control& control);
 
 }  // namespace pentimento

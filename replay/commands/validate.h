@@ -1,5 +1,5 @@
 #pragma once
-// Reads a whole log, with the files it names, and plays nothing.
+// `pentimento validate`: reads a whole log and the files that it names, without replaying it.
 
 #include <cstdint>
 #include <map>
@@ -15,13 +15,13 @@ namespace pentimento {
 struct LogFacts {
   log::Header header;
   log::Summary summary;
-  std::int64_t undone = 0;  // strokes, dryings, clearings and loads that are not played
+  std::int64_t undone = 0;  // strokes, dryings, clearings and loads that are undone
   std::int64_t steps = 0;
-  std::vector<std::string> pigments;         // of header and picked
-  std::map<std::string, std::string> files;  // named by the log: SHA-256
+  std::vector<std::string> pigments;         // those of the header, and picked colours
+  std::map<std::string, std::string> files;  // file named by the log -> SHA-256
 };
 
-/// Errors: the log's and its files'.
+/// Checks a log. Errors: those of the log and of its files.
 Result<LogFacts> validate_log(const std::string& path, const log::ReaderOptions& reading);
 
 }  // namespace pentimento

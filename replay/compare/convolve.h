@@ -1,5 +1,5 @@
 #pragma once
-// Separable convolution with edge pixels continued outwards. Pictures only, never the state.
+// Separable convolution. Edge pixels continue outwards. For pictures only, never for the state.
 
 #include <vector>
 
@@ -11,7 +11,7 @@ namespace pentimento {
 /// Weights of 2 r + 1 neighbours, the centre at r.
 using Taps = std::vector<double>;
 
-/// Along x with `across`, then along y with `down`.
+/// Convolves along x with `across`, then along y with `down`.
 Field<float> convolve(FieldView<const float> in, const Taps& across, const Taps& down,
                       const Threads& threads);
 

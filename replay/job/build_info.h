@@ -1,5 +1,5 @@
 #pragma once
-// Which programme this is.
+// Name and version of this program.
 
 #include <string>
 

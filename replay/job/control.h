@@ -1,6 +1,6 @@
 #pragma once
-// How a long job tells how far it is, and how it is told to stop. The caller's functions run on the
-// caller's thread.
+// How a long job reports its progress, and how it is told to stop. The functions of the caller run
+// on the caller's thread.
 
 #include <atomic>
 #include <cstdint>
@@ -28,7 +28,7 @@ struct Control {
   void warning(const std::string& text) const {
     if (warn) warn(text);
   }
-  /// kInterrupted once `cancelled` is set.
+  /// Ok, or kInterrupted once `cancelled` is set.
   Result<void> go_on() const {
     if (cancelled == nullptr || !cancelled->load(std::memory_order_relaxed)) return {};
     return Error{ErrorCode::kInterrupted, "interrupted; nothing was written"};

@@ -10,7 +10,7 @@
 
 namespace pentimento {
 
-/// At most one way may be set.
+/// At most one of width, height, scale and print may be set.
 struct SizeRequest {
   std::optional<int> width;          // pixels; the height follows the canvas
   std::optional<int> height;         // pixels; the width follows
@@ -25,13 +25,13 @@ struct OutputSize {
   double dpi = 0;  // 0 = none
 };
 
-/// `grid`: the log's grid on its canvas. A sheet holds the largest picture of the canvas's shape,
-/// and stands or lies as the canvas does. Errors: kUsage (two ways, or text that is no size),
-/// kLimit (beyond 2^20 pixels a side).
+/// `grid`: the log's grid on its canvas. On a sheet the picture is as large as fits with the
+/// canvas's shape; the sheet is upright or lies on its side as the canvas does. Errors: kUsage (two
+/// ways, or text that is no size), kLimit (beyond 2^20 pixels a side).
 Result<OutputSize> output_size(const SizeRequest& request, const CanvasGeometry& grid);
 
-/// How many times finer than `grid` a canvas must be so that no pixel is smaller than its cells:
-/// the smallest whole number, at most kMostDetail.
+/// The detail that a picture needs: the smallest whole number, at most kMostDetail, with which no
+/// pixel is smaller than a fine cell of `grid`.
 int detail_for(const OutputSize& size, const CanvasGeometry& grid);
 
 }  // namespace pentimento

@@ -1,5 +1,5 @@
 #pragma once
-// What `pentimento render` is asked to do, as plain values.
+// The job of `pentimento render`, as plain values.
 
 #include <array>
 #include <cstdint>
@@ -19,7 +19,7 @@
 
 namespace pentimento {
 
-/// In place of what a log or dump says about the light.
+/// The light that the user wants in place of the light of a log or dump.
 struct LightChoice {
   std::optional<std::array<double, 3>> direction;  // viewer's frame, y up
   bool follow_gravity = false;
@@ -30,7 +30,7 @@ struct LightChoice {
   log::PictureSpec picture;
 };
 
-/// What is written, and how.
+/// Which files are written, and how.
 struct PictureChoice {
   std::vector<std::string> outputs;  // of -o
   int bit_depth = 8;                 // of PNG: 8 or 16
@@ -46,7 +46,7 @@ struct PictureChoice {
   bool no_clobber = false;
 };
 
-/// How a picture larger than the log's grid comes to its detail.
+/// How a picture that is larger than the log's grid gets its detail.
 enum class Refine {
   kGuided,  // the simulation runs on the log's grid; a detail canvas follows it: the same painting
   kDirect   // the simulation runs at the picture's size: another painting

@@ -13,7 +13,7 @@
 
 namespace pentimento {
 
-/// What the codes of a picture of numbers mean: value = offset + per_code * code.
+/// The meaning of the codes in a picture of numbers: value = offset + per_code * code.
 struct WrittenScale {
   double offset = 0, per_code = 0;
   std::string unit;
@@ -32,7 +32,7 @@ struct Phase {
   double wall_s = 0;
 };
 
-/// The books of one paint, in m^3 or in amount x m^2.
+/// The account of the medium in m^3, or of one channel in amount x m^2.
 struct PaintLine {
   std::string name;
   double deposited = 0, picked_up = 0, dried = 0, wet = 0;
@@ -54,19 +54,19 @@ struct JobReport {
   std::string other_painting;  // why it is not the painting of the log's grid; empty: it is
   std::string log_sha256;
   std::vector<PaintLine> paint;  // the medium first, then a line per channel
-  /// How the detail canvas was locked to the guide; nothing at detail 1.
+  /// What the lock did (core/detail/lock/lock.h); nullopt at detail 1.
   std::optional<LockStatistics> lock;
-  /// What the fluid scheme measured of itself: awake shares, largest speed and depth...
+  /// What the fluid scheme measured: awake shares, largest speed and depth, and so on.
   std::vector<std::pair<std::string, double>> fluid;
   std::vector<Phase> phases;
 };
 
-/// The medium, then each channel.
+/// The accounts of the medium, then of each channel.
 std::vector<PaintLine> paint_lines(const Simulation& simulation);
 
 /// One JSON object, without a newline.
 std::string report_json(const JobReport& report);
-/// For people: a few lines.
+/// A few lines for people.
 std::string report_text(const JobReport& report);
 
 /// The most memory this process has held so far.

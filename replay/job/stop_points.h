@@ -1,6 +1,6 @@
 #pragma once
-// Where a replay is to stop: `--at 12.5`, `--at step:300`, `--at mark:NAME`. A time or a mark means
-// the end of the step that it falls in, as the end of a log does.
+// The points at which a replay stops: `--at 12.5`, `--at step:300`, `--at mark:NAME`. A time or a
+// mark means the end of the step in which it falls; so does the end of a log.
 
 #include <cstdint>
 #include <optional>
@@ -30,8 +30,9 @@ class StopFinder {
 
   /// Feeds the log, event by event.
   void add(const log::Event& event);
-  /// After the last event: for each point the steps done there, in the order given. Errors: kUsage
-  /// for a point behind the log's end (`steps` in all) or a mark that it does not have.
+  /// Call it after the last event. Returns for each point how many steps are done there, in the
+  /// order of the points. Errors: kUsage for a point after the log's end (`steps` in all) or a mark
+  /// that the log does not have.
   Result<std::vector<std::int64_t>> resolve(double steps_per_second, std::int64_t steps) const;
 
  private:

@@ -11,7 +11,7 @@ namespace pentimento {
 
 class Stopwatch {
  public:
-  /// What follows counts for `phase`, until the next call.
+  /// From now until the next call, time counts for `phase`.
   void start(const std::string& phase) {
     stop();
     for (current_ = 0; current_ < phases_.size(); ++current_) {

@@ -22,7 +22,7 @@ PressureCurve make_curve(const log::BrushSpec::Curve& points) {
   return curve;
 }
 
-/// What the log says differs from the shape's own.
+/// Applies the values in which the log's brush differs from its shape.
 void apply_spec(const log::BrushSpec& spec, BrushDefinition& brush) {
   set(spec.spacing, brush.spacing);
   set(spec.size_pressure, brush.size_pressure);

@@ -1,5 +1,5 @@
 #pragma once
-// The brushes a log may name: those of its header and the built-in ones.
+// The brushes that a log may name: those of its header and the built-in brushes.
 
 #include <map>
 #include <string>
@@ -21,7 +21,7 @@ class BrushTable {
   /// The brush in the hand before the log names one: `round`.
   const BrushDefinition& first() const { return find("round"); }
   bool has(const std::string& name) const { return brushes_.contains(name); }
-  /// `name` is in the header or built in (the reader checked it).
+  /// The brush called `name`, which must be in the header or built in (the reader checks that).
   const BrushDefinition& find(const std::string& name) const;
 
  private:

@@ -1,6 +1,7 @@
 #pragma once
 // The pigments of a log: those of its header, then one for each colour that was picked, in the
-// order of first use. Reaches the state through the channels: no C library functions.
+// order of first use. The palette reaches the state through the channels, so no C library functions
+// are used.
 
 #include <map>
 #include <string>
@@ -19,17 +20,17 @@ class Palette {
   static Result<Palette> make(const std::vector<log::PigmentSpec>& header,
                               const PaintMaker& maker = {});
 
-  /// These pigments, whose names differ.
+  /// A palette of these pigments. Their names must differ.
   static Palette of(std::vector<Pigment> pigments, const PaintMaker& maker = {});
 
-  /// A `color` event: a picked colour that is new joins the palette under its "#rrggbb".
+  /// Takes a `color` event: a picked colour that is new joins the palette under the name "#rrggbb".
   void pick(const log::Color& color);
 
-  /// Index of what the brush is loaded with. `color` went through pick().
+  /// Index of the pigment of a `color` event, which must have gone through pick().
   int find(const log::Color& color) const;
 
   bool has(const std::string& name) const { return index_.contains(name); }
-  /// Index of the pigment called `name`, which is there.
+  /// Index of the pigment called `name`, which must be in the palette.
   int find(const std::string& name) const { return index_.at(name); }
 
   const std::vector<Pigment>& pigments() const { return pigments_; }
@@ -42,7 +43,7 @@ class Palette {
   std::map<std::string, int> index_;
 };
 
-/// One pigment from what the log says of it. Errors: kBadInput, an unknown library name.
+/// Makes a pigment from a log's description. Errors: kBadInput, an unknown library name.
 Result<Pigment> make_pigment(const log::PigmentSpec& spec, const PaintMaker& maker = {});
 
 }  // namespace pentimento

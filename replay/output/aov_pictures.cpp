@@ -11,8 +11,8 @@
 namespace pentimento {
 
 namespace {
-/// Catmull-Rom's weights are negative by up to 1/8 in all along an axis, so between cells a surface
-/// rises above them by at most (1.25^2 - 1) / 2 of their range.
+/// The negative weights of Catmull-Rom sum to at most 1/8 along an axis. So between cells a surface
+/// rises above the cells by at most (1.25^2 - 1) / 2 of their range.
 constexpr double kBetweenCells = 0.29;
 
 struct CodeRange {

@@ -1,7 +1,7 @@
 #pragma once
-// Extra layers as pictures of their own, for programs that read no EXR: `out.png` gets
-// `out.depth.png` and so on beside it, 16 bits a sample. Light is encoded as in the picture; what
-// is no light is numbers on an even scale that the file names.
+// AOVs as pictures of their own, for programs that do not read EXR: `out.png` gets `out.depth.png`
+// and so on beside it, with 16 bits per sample. Light is encoded as in the picture. Other
+// quantities are numbers on an even scale, which the file names.
 
 #include <optional>
 #include <string>
@@ -23,18 +23,19 @@ struct AovPicture {
   std::string unit;                  // of the scale: "m", or empty
 };
 
-/// Of the groups in `aovs` (core/shading/shader.h). Scales run from the least to the largest value
-/// of the canvas, which is read once; `between_cells`: the picture also shows heights between
-/// cells, which may lie beyond them. Errors: kUsage, an unknown group.
+/// The pictures for the groups in `aovs` (core/shading/shader.h). A scale goes from the least to
+/// the largest value on the canvas, which is read once. `between_cells`: the picture also shows
+/// heights between cells, which may lie beyond the values of the cells. Errors: kUsage, an unknown
+/// group.
 Result<std::vector<AovPicture>> aov_pictures(const std::vector<std::string>& aovs,
                                              const CanvasSource& canvas, const ChannelBasis& basis,
                                              bool between_cells);
 
-/// `out.png` and "pigment.blue" give `out.pigment.blue.png`; what no file name should hold becomes
-/// `_`.
+/// `out.png` and "pigment.blue" give `out.pigment.blue.png`. Characters that do not belong into a
+/// file name become `_`.
 std::string aov_path(const std::string& picture, const std::string& name);
 
-/// Hands on the planes with these names, in this order; `sink` outlives it.
+/// Hands on only the planes with these names, in this order. `sink` must outlive it.
 class PlaneSink : public PictureSink {
  public:
   PlaneSink(PictureSink& sink, std::vector<std::string> names)

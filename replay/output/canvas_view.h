@@ -1,5 +1,5 @@
 #pragma once
-// What of a simulation is shown and dumped: its own canvas, or the finer one that follows it.
+// The canvas of a simulation that is shown and dumped: its own canvas, or the detail canvas.
 
 #include <memory>
 
@@ -14,7 +14,7 @@ struct CanvasView {
   int detail = 1;  // fine cells per cell of the simulation
 };
 
-/// `fine` may be none. Both outlive the view, and do not change while it is read.
+/// `fine` may be nullptr. Both must outlive the view, and must not change while it is read.
 CanvasView make_canvas_view(const Simulation& simulation, ReplayDetail* fine, int detail);
 
 }  // namespace pentimento

@@ -38,13 +38,14 @@ std::string title_of(const DebugColors& colors) {
   return {};
 }
 
-/// So many that the numbers between the ends are round: 0, 0.5, 1, 1.5, 2; 0, 1, 2, 3, 4, 5.
+/// As many numbers as it takes for the numbers between the ends to be round: 0, 0.5, 1, 1.5, 2; 0,
+/// 1, 2, 3, 4, 5.
 int even_parts(const DebugScale& scale) {
   const double two = (scale.to - scale.from) / std::pow(10.0, std::floor(std::log10(scale.to)));
   return std::abs(two - 2) < 1e-6 ? 4 : 5;
 }
 
-/// Places in multiples of the letters' size, so that a poster's legend is a large one.
+/// Places are in multiples of the size of letters, so that a large picture has a large legend.
 class Legend {
  public:
   Legend(const DebugColors& colors, int width)
@@ -133,7 +134,8 @@ class Legend {
     }
   }
 
-  /// Directions at their largest speed on the rim, at rest in the middle. Gives where the bar ends.
+  /// Draws the circle of directions: the largest speed on the rim, rest in the middle. Returns
+  /// where the bar ends.
   int draw_disc(int end) {
     const int radius = kDiscRadius * unit_;
     const int cx = end - radius, cy = ink_.height() / 2;

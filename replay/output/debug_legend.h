@@ -1,6 +1,6 @@
 #pragma once
-// What the colours of a debug view mean, as rows to stand under its picture: a title, a bar with
-// numbers, and what has a colour of its own.
+// The legend of a debug view, as rows under its picture: a title, a bar with numbers, and the
+// colours that stand outside the scale.
 
 #include <array>
 
@@ -16,8 +16,8 @@ inline constexpr int kLeastLegendWidth = 256;
 /// Rows of the legend under a picture of `width` pixels.
 int debug_legend_height(int width);
 
-/// Red, green and blue in linear light, `width` x debug_legend_height(width). Errors: kIo, the
-/// module that draws text cannot be loaded.
+/// Draws the legend: red, green and blue in linear light, `width` x debug_legend_height(width).
+/// Errors: kIo, the module that draws text cannot be loaded.
 Result<std::array<Field<float>, 3>> draw_debug_legend(const DebugColors& colors, int width);
 
 }  // namespace pentimento

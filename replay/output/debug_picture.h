@@ -1,6 +1,7 @@
 #pragma once
-// A debug view as a picture: the field's colours, a pixel showing the cell under its centre, and
-// the legend below. In strips, so that a poster's canvas is never held whole.
+// A debug view as a picture: colours of the cells, where each pixel shows the cell under its
+// centre, and the legend below. It is written in strips, so that a large canvas is never held
+// whole.
 
 #include <vector>
 
@@ -18,11 +19,11 @@ struct DebugFrame {
   int width = 0, height = 0;
 };
 
-/// Of the file: the picture with its legend, and a margin if it is narrow.
+/// Size of the file: the picture with its legend, and a margin if it is narrow.
 OutputSize debug_picture_size(const OutputSize& written);
 
-/// Strips of debug_picture_size() go to each sink in turn. Errors: those of the canvas, of the
-/// legend's text and of the sinks; kInterrupted.
+/// Writes strips of a picture of debug_picture_size() to each sink in turn. Errors: those of the
+/// canvas, of the legend's text and of the sinks; kInterrupted.
 Result<void> write_debug_picture(const DebugColors& colors, const CanvasSource& canvas,
                                  const ChannelBasis& basis, const DebugFrame& frame,
                                  const std::vector<PictureSink*>& sinks, const Control& control);

@@ -11,7 +11,7 @@
 
 namespace pentimento {
 
-/// What a set of outputs shows and where it came from.
+/// What a set of outputs shows, and where that came from.
 struct Origin {
   std::string log_sha256;
   std::map<std::string, std::string> files;  // named by the log: name, SHA-256
@@ -28,7 +28,7 @@ struct Origin {
   std::string command;  // without its -o
 };
 
-/// Of one output: `pattern` is its -o, `size` that of the whole picture.
+/// The provenance of one output. `pattern`: its -o; `size`: that of the whole picture.
 Provenance provenance_of(const Origin& origin, const OutputSize& size, const std::string& pattern);
 
 /// `text` as a POSIX shell takes it: quoted if it must be.

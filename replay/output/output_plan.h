@@ -1,6 +1,6 @@
 #pragma once
-// Which files a job writes, from its `-o` options: what each is follows from its extension, and a
-// `%` in the name stands for the stop point.
+// Finds from the `-o` options which files a job writes. The extension of a file says what it is,
+// and a `%` in the name stands for the stop point.
 
 #include <string>
 #include <vector>
@@ -18,8 +18,8 @@ struct PlannedOutput {
   OutputKind kind = OutputKind::kPng;
 };
 
-/// The files of each stop point, in the order of `stops`; of one unnamed point if there is none.
-/// Without patterns each point has no files: such a job is replayed for its report alone.
+/// The files of each stop point, in the order of `stops`. Without stop points there is one unnamed
+/// point. Without patterns each point has no files: such a job is replayed for its report alone.
 /// Errors: kUsage (an unknown extension, several points and no `%`, one file twice).
 Result<std::vector<std::vector<PlannedOutput>>> plan_outputs(
     const std::vector<std::string>& patterns, const std::vector<StopPoint>& stops);

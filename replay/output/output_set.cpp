@@ -95,7 +95,7 @@ Result<void> OutputSet::open_shader() {
   return {};
 }
 
-/// A film goes on from frame to frame; where it is among the pending files.
+/// A video goes on from frame to frame. Returns its index among the pending files.
 Result<std::size_t> OutputSet::open_video(const std::string& path) {
   for (std::size_t i = 0; i < pending_.size(); ++i) {
     if (pending_[i].file.file == path) return i;
@@ -148,7 +148,8 @@ Result<void> OutputSet::create(const PlannedOutput& output, const Scene& scene,
                       {}});
 }
 
-/// Two files may not have one name: that of an extra layer is not known when outputs are planned.
+/// Two files must not have the same name. The names of AOV pictures are not known when outputs are
+/// planned, so the check is here.
 Result<void> OutputSet::add_pending(Pending pending) {
   for (const Pending& other : pending_) {
     if (other.file.file == pending.file.file && other.file.file != "-") {
@@ -159,7 +160,7 @@ Result<void> OutputSet::add_pending(Pending pending) {
   return {};
 }
 
-/// The extra layers of a PNG, each as a PNG beside it.
+/// Creates the AOVs of a PNG, each as a PNG beside it.
 Result<void> OutputSet::create_aovs(const PlannedOutput& output, const Scene& scene,
                                     const Origin& origin) {
   const PictureChoice& choice = settings_.picture;

@@ -1,6 +1,6 @@
 #pragma once
-// The files of a job while they are written: all are finished under temporary names first, then all
-// get their names, so that a failure leaves every old file as it was.
+// The files of a job while they are written. All are first completed under temporary names, then
+// all get their names, so a failure leaves every old file as it was.
 
 #include <memory>
 #include <string>
@@ -27,7 +27,7 @@ struct Scene {
   const Lighting& lighting;
 };
 
-/// Outlives its OutputSet.
+/// Must outlive its OutputSet.
 struct OutputSettings {
   const PictureChoice& picture;
   OutputSize size;
@@ -57,7 +57,7 @@ class OutputSet {
   Result<void> create_aovs(const PlannedOutput& output, const Scene& scene, const Origin& origin);
   Result<void> add_pending(Pending pending);
   Result<std::size_t> open_video(const std::string& path);
-  /// Into those of the pending files.
+  /// Shades into the pending files with the indices `shown`.
   Result<void> shade(const Scene& scene, const std::vector<std::size_t>& shown);
   Result<void> paint_debug_view(const Scene& scene, const std::vector<std::size_t>& shown);
 
@@ -67,8 +67,8 @@ class OutputSet {
   std::vector<Pending> pending_;
 };
 
-/// Size in pixels of what is shown: the crop, or the whole picture. (The file of a debug view is
-/// larger by its legend.) Errors: kUsage, a crop that is not inside.
+/// Size in pixels of the part that is shown: the crop, or the whole picture. (The file of a debug
+/// view is larger by its legend.) Errors: kUsage, a crop that does not lie inside the picture.
 Result<OutputSize> written_size(const PictureChoice& picture, const OutputSize& whole);
 
 }  // namespace pentimento

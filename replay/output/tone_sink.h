@@ -1,5 +1,5 @@
 #pragma once
-// Between shading and a picture for a display: the tone curve on red, green and blue.
+// Applies the tone curve to red, green and blue, between shading and a picture for a display.
 
 #include <vector>
 
@@ -8,8 +8,8 @@
 
 namespace pentimento {
 
-/// Hands strips on with tone() of their first three planes; those after them are left out, since
-/// pictures for a display have no layers. `sink` outlives it.
+/// Hands strips on with tone() of their first three planes. The planes after them are left out, for
+/// pictures for a display have no AOVs. `sink` must outlive it.
 class ToneSink : public PictureSink {
  public:
   ToneSink(PictureSink& sink, ToneCurve curve) : sink_(sink), curve_(curve) {}

@@ -1,8 +1,8 @@
 #pragma once
-// The relief of the paper on a grid: the built-in textures, which are functions of the place on the
-// canvas and so the same at every resolution, or a picture laid as tiles. Each value is the mean
-// over its cell, so that threads finer than a cell vanish instead of beating with the grid. Reaches
-// the state: own arithmetic only.
+// The relief of the paper on a grid: a built-in texture or a picture that is repeated. The built-in
+// textures are functions of the place on the canvas, so they are the same at every resolution. Each
+// value is the mean over its cell, so threads finer than a cell vanish and make no pattern with the
+// grid. The relief reaches the state, so it uses core's own arithmetic only.
 
 #include <memory>
 #include <span>
@@ -17,7 +17,8 @@
 
 namespace pentimento {
 
-/// linen (fine, uneven threads), canvas (coarse, even), paper (cold-pressed grain), smooth.
+/// The names: linen (fine, uneven threads), canvas (coarse, even), paper (cold-pressed grain),
+/// smooth.
 std::vector<std::string> builtin_papers();
 bool is_builtin_paper(const std::string& name);
 

@@ -1,6 +1,6 @@
 #pragma once
-// A plain weave, one over, one under: the height of woven cloth in 0..1 as a periodic function of
-// the unit square. Reaches the state: own arithmetic only.
+// A plain weave, one thread over, one under: the height of woven cloth in 0..1 as a periodic
+// function of the unit square. It reaches the state, so it uses core's own arithmetic only.
 
 #include <span>
 #include <vector>

@@ -1,5 +1,5 @@
 #pragma once
-// What change_channels() does to a state, done to a detail canvas that is read part by part.
+// change_channels() for a detail canvas that is read part by part.
 
 #include <memory>
 
@@ -10,13 +10,13 @@
 
 namespace pentimento {
 
-/// The same paint in the channels of `basis`, which came from channels_after(); converted as it is
-/// read.
+/// The same paint in the channels of `basis`, which came from channels_after(). Values are
+/// converted when they are read.
 std::shared_ptr<const CanvasSource> change_channels(std::shared_ptr<const CanvasSource> canvas,
                                                     const ChannelBasis& old,
                                                     const ChannelBasis& basis);
 
-/// The notes of `dump`, whose layers and basis they are in, for that canvas.
+/// The checkpoint for that canvas. `checkpoint` has the layers and the basis of `dump`.
 DetailCheckpoint change_channels(DetailCheckpoint checkpoint, const StateDump& dump,
                                  const ChannelBasis& basis);
 

@@ -73,7 +73,7 @@ CanvasState change_channels(CanvasState state, const ChannelBasis& old, const Ch
   }
   state.pigment = std::move(pigment);
   state.channels = basis.channels();
-  // Amounts in other units may not rest where the old ones did.
+  // Paint with amounts in other units may not rest where the old paint rested, so everything wakes.
   if (channel_per_pigment(old) && !channel_per_pigment(basis)) state.sleep.clear();
   return state;
 }

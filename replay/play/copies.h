@@ -1,5 +1,5 @@
 #pragma once
-// Deep copies of what owns planes.
+// Deep copies of structures that own planes.
 
 #include "core/canvas/canvas_state.h"
 #include "core/optics/lighting.h"

@@ -1,5 +1,5 @@
 #pragma once
-// The user's light in place of the log's or the dump's.
+// Puts the user's light in the place of the log's or the dump's.
 
 #include <optional>
 

@@ -97,7 +97,7 @@ Result<void> LightingTrack::follow(const log::Action& action, std::int64_t step,
 
 void LightingTrack::light(const log::Light& event) {
   const auto index = static_cast<std::size_t>(event.lamp);
-  // Lamps between that nobody has spoken of yet are dark.
+  // Lamps with a lower number that no event has set yet are dark.
   while (lighting_.lamps.size() <= index) lighting_.lamps.push_back(dark_lamp());
   Lamp& lamp = lighting_.lamps[index];
   if (index > 0 && !event.intensity && lamp == dark_lamp()) lamp.intensity = Lamp{}.intensity;

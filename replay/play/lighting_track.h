@@ -1,6 +1,6 @@
 #pragma once
-// The light as the log's events change it: lamp, surroundings, the front camera's picture. Pictures
-// only; nothing here reaches the state.
+// Follows the light through the log's events: lamps, environment, the front camera's picture. For
+// pictures only; nothing here reaches the state.
 
 #include <array>
 #include <cstdint>
@@ -17,8 +17,8 @@
 
 namespace pentimento {
 
-/// What a canvas is lit by before anything says otherwise: the lamp of Lighting at the top left and
-/// an even, slightly cool room light from above.
+/// The light before any event: the lamp of Lighting at the top left and an even, slightly cool room
+/// light from above.
 Lighting default_lighting();
 
 /// Puts a panorama's light (a file: equirectangular, HDR, EXR or any picture) into `lighting`: its
@@ -32,7 +32,7 @@ std::array<float, 3> unit_direction(const std::array<double, 3>& direction);
 /// What a log's header says about its pictures, put into `lighting`.
 void develop(const log::PictureSpec& picture, Lighting& lighting);
 
-/// Puts a lamp that follows gravity where it stands under `gravity`, for good.
+/// Gives a lamp that follows gravity the direction that it has under `gravity`, as a fixed lamp.
 void fix_lamp(Lamp& lamp, const log::Gravity& gravity);
 
 class LightingTrack {
@@ -44,11 +44,11 @@ class LightingTrack {
   /// ignored. Errors: those of the files.
   Result<void> follow(const log::Action& action, std::int64_t step, LogFiles& files);
 
-  /// Puts what the front camera sees after `steps` steps into lighting(): the frame of a video. A
-  /// picture stays as it is. Errors: those of the video.
+  /// If the front camera recorded a video, puts the frame after `steps` steps into lighting(). A
+  /// still picture stays as it is. Errors: those of the video.
   Result<void> look(std::int64_t steps);
 
-  /// As set, the lamp not yet turned by gravity.
+  /// The light as the events set it. Lamps that follow gravity are not turned yet.
   const Lighting& lighting() const { return lighting_; }
   /// The accelerometer's last reading.
   const log::Gravity& gravity() const { return gravity_; }

@@ -1,7 +1,7 @@
 #pragma once
-// Plays a timeline into a simulation, step by step, up to where the caller wants it. Idle time
-// costs nothing: once a step changed nothing, the steps up to the next cue are skipped, which
-// gives the same state.
+// Plays a timeline into a simulation, step by step, as far as the caller wants. Idle time costs
+// nothing: if a step changed nothing, the steps up to the next cue are skipped, which gives the
+// same state.
 
 #include <cstdint>
 #include <optional>
@@ -15,7 +15,7 @@
 
 namespace pentimento {
 
-/// All outlive the player.
+/// All references must outlive the player.
 struct PlayerInput {
   Timeline& timeline;
   Simulation& simulation;
@@ -30,13 +30,13 @@ class Player {
  public:
   explicit Player(const PlayerInput& input);
 
-  /// Plays every cue before step `end_step` and those steps. Errors: kNonFinite with step and cell,
+  /// Plays all cues and steps before step `end_step`. Errors: kNonFinite with step and cell,
   /// kInterrupted, and those of the log and its files.
   Result<void> play_to(std::int64_t end_step);
-  /// Plays what is left of the log and steps up to `end_step`.
+  /// Plays all cues that are left, and steps up to `end_step`.
   Result<void> play_all(std::int64_t end_step);
 
-  /// Steps on to `end_step` with nothing happening: cues that are left stay where they are.
+  /// Steps up to `end_step` without playing cues.
   Result<void> settle(std::int64_t end_step);
 
   /// Steps since the player began.
@@ -45,7 +45,7 @@ class Player {
   std::int64_t steps_computed() const { return computed_; }
 
  private:
-  /// No limit: every cue that is left.
+  /// Plays the cues before a step; without a limit, all cues that are left.
   Result<void> apply_cues(std::optional<std::int64_t> before_step);
   Result<void> advance(std::int64_t to_step);
   Result<void> check_finite() const;

@@ -1,6 +1,6 @@
 #pragma once
-// The detail canvas of a replay: its ground from the log's paper and pictures, its refinement in
-// step with the simulation, and itself as what is shaded and dumped.
+// The detail canvas of a replay. Its substrate comes from the log's paper and pictures, its
+// follower keeps it in step with the simulation, and it is what is shaded and dumped.
 
 #include <memory>
 #include <optional>
@@ -16,7 +16,7 @@
 
 namespace pentimento {
 
-/// A detail canvas that was dumped, in the channels of the simulation.
+/// A detail canvas from a dump, in the channels of the simulation.
 struct DetailStart {
   std::shared_ptr<const CanvasSource> canvas;
   DetailCheckpoint checkpoint;
@@ -31,7 +31,7 @@ struct ReplayDetailSetup {
 
 class ReplayDetail {
  public:
-  /// Follows `simulation`, which it does not outlive, from its present state on. Errors: those of
+  /// Follows `simulation` from its present state on. `simulation` must outlive it. Errors: those of
   /// the paper's picture, of the scratch folder and of the start's file.
   static Result<std::unique_ptr<ReplayDetail>> follow(Simulation& simulation,
                                                       const ReplayDetailSetup& setup,
@@ -39,20 +39,20 @@ class ReplayDetail {
                                                       const Threads& threads);
   ~ReplayDetail();
 
-  /// The canvas with all that was painted up to now.
+  /// The detail canvas with everything that was painted up to now.
   const CanvasSource& source() {
     follower_.finish_stamps();
     return source_;
   }
-  /// What that does not tell, to go on from a dump of it.
+  /// All that a dump needs beside source(), to go on from it.
   DetailCheckpoint checkpoint() {
     follower_.finish_stamps();
     return follower_.checkpoint();
   }
   const DetailFollower& follower() const { return follower_; }
-  /// Why parts of the canvas could not be kept; no error as long as all could.
+  /// Ok, or the reason why parts of the canvas could not be kept.
   const Result<void>& problem() const { return follower_.canvas().problem(); }
-  /// Told of a picture before the simulation loads it.
+  /// The substrate. It must be told of a picture before the simulation loads the picture.
   ReplaySubstrate& substrate() { return *substrate_; }
 
  private:

@@ -1,6 +1,6 @@
 #pragma once
-// The ground of the detail canvas: the log's paper at the fine cells' size, white or under a loaded
-// picture.
+// The substrate of the detail canvas in a replay: the log's paper at the resolution of the fine
+// cells, bare or under a loaded picture.
 
 #include <array>
 #include <memory>
@@ -18,13 +18,13 @@ namespace pentimento {
 
 class ReplaySubstrate : public DetailSubstrate {
  public:
-  /// `reflectance` of the bare paper, per band.
+  /// `reflectance`: of the bare paper, per band.
   ReplaySubstrate(std::unique_ptr<PaperRows> paper, std::vector<float> reflectance,
                   const CanvasGeometry& fine);
 
   void relief_row(int x, int y, std::span<float> out) const override;
   void reflectance_row(int band, int x, int y, std::span<float> out) const override;
-  /// A picture's planes (linear, any size, one per band) become the ground from now on.
+  /// From now on the reflectance is that of a picture: linear planes of any size, one per band.
   void load(std::vector<Field<float>> bands);
   /// Back to bare paper.
   void clear() { picture_.clear(); }

@@ -1,7 +1,8 @@
 #pragma once
-// What must be known of a log before any of it is played: which strokes are undone, the palette,
-// how long it is, where to stop, and that the files it names are there. One pass over the
-// log; keeps a few bytes per stroke, nothing per sample.
+// The plan of a replay: what must be known of a log before it is played. It says which strokes are
+// undone, the palette, how long the log is and where to stop, and it makes sure that the files are
+// there. One pass over the log finds it; the plan keeps a few bytes per stroke and nothing per
+// sample.
 
 #include <cstdint>
 #include <string>

@@ -33,13 +33,13 @@ bool same_model(const Model& a, const Model& b) {
   });
 }
 
-/// What rested in the dump's model may not rest in the log's.
+/// Paint that rested in the dump's model may not rest in the log's, so everything wakes.
 void wake_if_changed(const log::Header& header, const Model& model, StateDump& dump) {
   if (!same_model(model, dump.model) || header.steps_per_second != dump.steps_per_second)
     dump.state.sleep.clear();
 }
 
-/// A canvas in other bands, or seen through another interface, cannot be gone on with.
+/// A replay cannot go on from a canvas with other bands or another interface.
 Result<void> check_optics(const std::string& path, const LogSession& session,
                           const StateDump& dump) {
   const auto optics = [](const Model& m, const std::vector<double>& wavelength_nm) {

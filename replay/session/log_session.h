@@ -1,6 +1,6 @@
 #pragma once
-// A log opened, read once and understood: all that is known before the first step. A session gives
-// one replay.
+// A session: a log that was opened and read once, and all that is known before the first step. A
+// session serves for one replay.
 
 #include <memory>
 
@@ -39,10 +39,12 @@ struct LogSession {
   std::int64_t steps = 0;  // to be simulated
 };
 
-/// Errors: those of the log, its files and the dump; kUsage for options that do not fit them.
+/// Opens a session. Errors: those of the log, its files and the dump; kUsage for options that do
+/// not fit these.
 Result<LogSession> open_session(const RenderJob& job, const Control& control);
 
-/// A canvas for the session's replay. Errors: the paper's texture. Moves `start`'s state out.
+/// The simulation for the session's replay. Moves the state out of `session.start`. Errors: those
+/// of the paper's texture.
 Result<std::unique_ptr<Simulation>> make_simulation(LogSession& session, const Threads& threads);
 
 /// For the hand that plays the session's log. `detail_substrate`: of the detail canvas, if there is

@@ -1,5 +1,5 @@
 #pragma once
-// Cues waiting for their turn: in the order of (time, place in the log, arrival).
+// A queue of cues that wait for their turn, in the order of (time, place in the log, arrival).
 
 #include <cstdint>
 #include <vector>

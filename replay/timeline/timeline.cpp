@@ -93,7 +93,7 @@ void Timeline::Impl::take_touch(const log::Touch& touch, const log::Event& event
   }
 }
 
-/// Whether nothing that is still to come can be before the front of the queue.
+/// Whether no cue that is still to come can be before the front of the queue.
 bool Timeline::Impl::front_is_final() const {
   if (queue.empty()) return false;
   if (at_end || queue.size() >= kMaxPending) return true;

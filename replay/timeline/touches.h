@@ -1,5 +1,5 @@
 #pragma once
-// The touches that are down, each with the path it has drawn: samples of the log in, stamps out.
+// The touches that are down, each with its path: samples of the log go in, stamps come out.
 
 #include <cstdint>
 #include <optional>
@@ -21,7 +21,7 @@ struct BrushSize {
   double spacing_frac = 0.025;
 };
 
-/// A moment between events: by time, then by place in the log.
+/// A moment in the log: ordered by time, then by place among the events.
 struct LogMoment {
   std::int64_t time_us = 0;
   std::int64_t place = 0;
@@ -38,16 +38,16 @@ class Touches {
  public:
   explicit Touches(const CanvasSize& canvas) : canvas_(canvas) {}
 
-  /// A touch that is played goes down.
+  /// A touch goes down that is played (not undone).
   void down(const PlacedTouch& at, const BrushSize& brush, std::uint32_t stroke_id, CueQueue& out);
-  /// A move or the end of a touch; of one that is not down here (undone), nothing happens.
+  /// A touch moves, or lifts. Nothing happens if the touch is not down here, because it is undone.
   void move(const PlacedTouch& at, const BrushSize& brush, CueQueue& out);
   void up(const PlacedTouch& at, const BrushSize& brush, CueQueue& out);
   /// The log ends: all touches lift where they are.
   void end(CueQueue& out);
 
-  /// Cues still to come from touches that are down are not before this moment of the log; nothing
-  /// if no touch is down.
+  /// The touches that are down send no more cues before this moment of the log. nullopt if no touch
+  /// is down.
   std::optional<LogMoment> final_until() const;
 
  private:

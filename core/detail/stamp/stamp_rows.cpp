@@ -8,7 +8,7 @@
 namespace pentimento {
 
 namespace {
-/// What measure_row() finds.
+/// The results of measure_row().
 struct MeasuredRow {
   float *hold, *pick_up_weight, *share;
 };
@@ -28,7 +28,7 @@ void measure_row(const StampPlan& given, const BristleTable& grip, const TipRow&
   }
 }
 
-/// Of a blade, after measure_row(): what its ends do otherwise.
+/// For a blade, after measure_row(): corrects the values under its ends.
 PENTIMENTO_KERNEL
 void measure_blade(const StampPlan& given, const BristleTable& ends, const TipRow& tip, int n,
                    const float* value, const float* base, const float* depth,
@@ -46,13 +46,13 @@ void measure_blade(const StampPlan& given, const BristleTable& ends, const TipRo
   }
 }
 
-/// What find_parts() starts from: of the tip, and of the brush's paint.
+/// The input of find_parts(): of the tip, and of the reservoir's paint.
 struct BrushedRow {
   const float *value, *share, *volume, *height;
 };
 
-/// The part of the brush's paint that comes to each cell, as far as there is room; adds its depth.
-/// False if the tip lays nothing.
+/// Finds the part of the reservoir's paint that each cell gets, as far as there is room, and adds
+/// its depth. False if the tip deposits nothing.
 PENTIMENTO_KERNEL
 bool find_parts(const StampPlan& given, int n, const BrushedRow& brushed, float* __restrict depth,
                 float* __restrict out) {
@@ -120,7 +120,8 @@ void StampRows::apply(const QueuedStamp& stamp) {
   }
 }
 
-/// In blocks that the guide has just opened every cell waits to be touched.
+/// In blocks where the guide has just opened a layer, every fine cell waits until the tip touches
+/// it.
 void StampRows::open_blocks(const QueuedStamp& stamp, int block_y) {
   const CellBox& blocks = stamp.blocks();
   const std::span<const BlockLayers> layers = stamp.layers_in(block_y);
@@ -145,8 +146,8 @@ void StampRows::do_row(const QueuedStamp& stamp, int y) {
   mix_layers_row(stamp.plan().mix, cells, {hold_.data(), touched.count()});
 }
 
-/// The tip's value, its hold and the levelled share of each touched cell, before anything is
-/// lifted.
+/// Finds the tip's value, its hold and the levelled share of each touched cell, before any paint is
+/// picked up.
 StampRows::CellRange StampRows::measure(const QueuedStamp& stamp, int y) {
   const FootprintBox& box = stamp.cells();
   const int side = canvas_.layout().side();
@@ -179,7 +180,8 @@ StampRows::CellRange StampRows::measure(const QueuedStamp& stamp, int y) {
   return touched;
 }
 
-/// The paint that comes to each cell, as `part_` of `paint_`, and its depth. False if none comes.
+/// Finds the paint that each cell gets, as `part_` of `paint_`, and its depth. False if no cell
+/// gets any.
 bool StampRows::sample(const QueuedStamp& stamp, int y, const CellRange& cells, float* depth) {
   const int k = canvas_.layout().factor();
   const std::span<const BlockLayers> layers = stamp.layers_in(y / k);
@@ -201,7 +203,7 @@ bool StampRows::sample(const QueuedStamp& stamp, int y, const CellRange& cells, 
   return any;
 }
 
-/// Those that lie in blocks in a row. `first`: the cell that the band's rows begin with.
+/// The same for cells in blocks side by side. `first`: the cell with which the rows begin.
 bool StampRows::sample_run(const QueuedStamp& stamp, int y, const CellRange& run, int first,
                            float* depth) {
   const StampPlan& plan = stamp.plan();
@@ -220,8 +222,8 @@ bool StampRows::sample_run(const QueuedStamp& stamp, int y, const CellRange& run
                     &part_[from]);
 }
 
-/// Cells that the stamp lays paint in get the layers that the guide opened. `first`: the cell that
-/// the row of shares begins with.
+/// Opens the layers that the guide opened, in the cells that get paint. `first`: the cell with
+/// which the row of shares begins.
 void StampRows::open_cells(int y, const CellRange& cells, int first) {
   if (tile_->open.empty()) return;
   const std::size_t side = at(canvas_.layout().side());

@@ -14,7 +14,8 @@ constexpr int kReach = 2;  // guide cells: the edge and the fringe it spreads to
 constexpr float kBare = 0.02f;
 constexpr float kFringe = 0.06f, kBody = 0.22f;
 constexpr float kLeast = 0.2f;  // of a fringe that has a block for itself
-// Of the largest depth, per guide cell: a side is this steep, a stroke that fades out is not.
+// Slope as a share of the largest depth per cell of the guide. The side of a stroke is this steep;
+// a stroke that fades out is not.
 constexpr float kFading = 0.12f, kSteep = 0.25f;
 constexpr float kEnd = 0.4f, kSide = 0.8f;  // squared sine of the slope to the brush's way
 constexpr int kBlocksPerTask = 64;
@@ -35,7 +36,7 @@ Around around(const Field<float>& depth, int x, int y, int reach) {
   return found;
 }
 
-/// How much of the gathering is done at a cell: all where paint falls steeply across the way.
+/// How strongly a cell is steepened: fully where paint falls steeply across the brush's way.
 float strength_at(const Field<float>& depth, int x, int y, float most, Vec2f way) {
   const auto at = [&](int i, int j) {
     return depth(std::clamp(i, 0, depth.width() - 1), std::clamp(j, 0, depth.height() - 1));
@@ -52,7 +53,7 @@ float strength_at(const Field<float>& depth, int x, int y, float most, Vec2f way
 /// Weights of a block's cells, row by row.
 using Weights = std::array<float, static_cast<std::size_t>(kMostDetail) * kMostDetail>;
 
-/// How a block is to be gathered.
+/// How a block is to be steepened.
 struct Gathering {
   float most = 0;      // depth of the body
   float beyond = 0;    // depth that the thinnest block beside it has: no cell becomes thinner

@@ -45,7 +45,7 @@ float share_of(int i, int factor) {
   return at < 0 ? at + 1 : at;
 }
 
-/// A row of the field at the fine columns of the blocks.
+/// A row of the interpolated field, at the fine columns of the blocks.
 void stretch(const float* ratio, const RatioRows& rows, const BlockRow& row,
              const TileRowBuffer& share, TileRowBuffer& out) {
   const int k = row.factor, half = k / 2;

@@ -10,7 +10,7 @@ void for_wet_planes(int pigments, const Body& body) {
   for (int p = -1; p < pigments; ++p) body(WetPlane{p});
 }
 
-/// Blocks whose layers do not correspond to the guide's may have paint where the guide has none.
+/// Mismatched blocks may have paint in layers where the guide has none.
 bool any_in(const TilePlane& plane, const DetailLayout& layout) {
   const std::ptrdiff_t cells = static_cast<std::ptrdiff_t>(layout.side()) * layout.side();
   return std::any_of(plane.data(), plane.data() + cells, [](float v) { return v != 0; });

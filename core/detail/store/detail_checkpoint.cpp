@@ -30,7 +30,7 @@ LayerOpening opening_from(std::uint32_t bits) {
   return opening;
 }
 
-/// A block's place among its tile's blocks and fine cells.
+/// Where a block lies among the blocks and the fine cells of its tile.
 struct BlockPlace {
   std::size_t block = 0, cell = 0;  // cell: its first
 };
@@ -59,7 +59,7 @@ void checkpoint_block(const OpenCells& open, const DetailLayout& layout, int x, 
     waiting[bit / 32] |= 1u << (bit % 32);
     any = true;
   });
-  // What opening would do no longer matters where all are open.
+  // Where all cells are open, what opening would do no longer matters.
   checkpoint.block[cell] = (any ? bits_of(open.opening[place.block]) : 0) |
                            (open.mismatched[place.block] != 0 ? kCheckpointMismatched : 0);
 }

@@ -9,7 +9,7 @@ std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
 
-/// The tile's own values of a plane; nullptr: it has none.
+/// The tile's own values of a plane, or nullptr if it has none.
 const float* plane_of(const DetailTile& tile, PlaneId plane, int channels) {
   switch (plane.kind) {
     case PlaneKind::kDepth:
@@ -51,7 +51,8 @@ Between between_centres(int fine, int factor) {
   return {low, position - static_cast<float>(low)};
 }
 
-/// Bilinear; faces before the first are walls, centres beyond the outermost repeat them.
+/// Bilinear interpolation. Faces before the first are walls; beyond the outermost centres their
+/// values repeat.
 float interpolated(const Field<float>& plane, Between x, Between y, bool walls_in_x) {
   const auto value = [&](int i, int j) {
     if ((walls_in_x ? i : j) < 0) return 0.0f;

@@ -39,8 +39,9 @@ void await_tip(DetailTile& tile, const DetailLayout& layout, int x, int y, int l
   if (layers == 1) return;
   const int k = layout.factor();
   const std::size_t block = block_of(layout, x, y);
-  // Two layers that become one are as the guide's, whoever followed the last stroke. With more
-  // layers, or with none full, cells that did not follow stay one layer behind.
+  // If a cell has two layers and they become one, they match the guide's again, whether the fine
+  // cell opened a layer for the last stroke or not. With more layers, or if not all were full, fine
+  // cells that did not open stay one layer behind.
   const bool joins_all = opening.merges && layers == 2;
   if (joins_all) {
     tile.open.mismatched[block] = 0;

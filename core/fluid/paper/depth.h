@@ -1,5 +1,6 @@
 #pragma once
 // From the new height to the new depth (R1, R6), and which cells moved at all.
+
 #include "core/canvas/canvas_state.h"
 #include "core/fluid/paper/planes.h"
 

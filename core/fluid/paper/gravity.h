@@ -1,5 +1,6 @@
 #pragma once
 // Gravity: what slope and tilt add to the velocity (R11, R15).
+
 #include "core/canvas/canvas_state.h"
 #include "core/fluid/paper/planes.h"
 #include "core/fluid/paper/step_constants.h"

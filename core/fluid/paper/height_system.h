@@ -1,5 +1,6 @@
 #pragma once
 // The implicit height equation (R6, R7).
+
 #include "core/canvas/canvas_state.h"
 #include "core/fluid/paper/planes.h"
 #include "core/fluid/paper/step_constants.h"

@@ -22,7 +22,7 @@ float without_tail(float pigment) {
   return pigment < kNoPigment ? 0.0f : pigment;
 }
 
-/// Where the pigment of this layer in cell (x, y) was; u and v are the surface's.
+/// The departure point of this layer's pigment in cell (x, y). u and v: velocity of the surface.
 Departure depart_layer(const StepConstants& k, const GridShape& grid, float share, int x, int y,
                        float u, float v) {
   return depart(x, y, share * u * (k.dt_s / k.dx_m), share * v * (k.dt_s / k.dy_m), grid);

@@ -1,5 +1,6 @@
 #pragma once
 // Advection of pigment, layer by layer (R18, R19).
+
 #include "core/canvas/canvas_state.h"
 #include "core/fluid/paper/planes.h"
 #include "core/fluid/paper/step_constants.h"

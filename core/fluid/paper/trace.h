@@ -1,5 +1,6 @@
 #pragma once
 // Advection of velocity and height, by tracing backwards (R8).
+
 #include "core/canvas/canvas_state.h"
 #include "core/fluid/paper/grid_rows.h"
 #include "core/fluid/paper/step_constants.h"

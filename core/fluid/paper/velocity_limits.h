@@ -1,5 +1,6 @@
 #pragma once
 // What limits the velocity: the brush (R17), the edge of the canvas (R16), thresholds (R14).
+
 #include <span>
 
 #include "core/fluid/brush_contact.h"

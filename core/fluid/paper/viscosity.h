@@ -1,5 +1,6 @@
 #pragma once
 // The implicit viscosity (R11, R13).
+
 #include "core/fluid/paper/planes.h"
 #include "core/fluid/paper/step_constants.h"
 

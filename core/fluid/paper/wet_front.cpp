@@ -13,7 +13,7 @@ struct FrontCell {
   int x, y, dx, dy;
 };
 
-/// What the two directions have in common: velocity along the front's way, in cells per step.
+/// Velocity along the direction of the front, in cells per step, for either axis.
 struct FrontAxis {
   const CanvasState& state;
   const Field<float>& velocity_m_s;  // u along rows, v along columns
@@ -44,7 +44,7 @@ int advance_cells(const FrontAxis& along, const FrontCell& f) {
   return n;
 }
 
-/// Hands the front's velocity to the thin cells that the film advances into.
+/// Gives the front's velocity to the thin cells into which the film advances.
 void advance(const FrontAxis& along, const FrontCell& f, const Velocity& velocity,
              FrontInflow& inflow) {
   const float u = velocity.u_m_s(f.x, f.y), v = velocity.v_m_s(f.x, f.y);

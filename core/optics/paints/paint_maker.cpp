@@ -111,7 +111,8 @@ std::optional<Pigment> PaintMaker::from_library(std::string_view name) const {
     if (spectral()) return in_bands(wanted, *paint);
     std::vector<double> nm;
     for (int i = 0; i < kSpectrumSamples; ++i) nm.push_back(spectrum_wavelength_nm(i));
-    // Measured through an interface: seen through it even where the model has none.
+    // The paints were measured through an interface, so they are seen through it even if the model
+    // has none.
     return pigment_from_spectrum(wanted, {nm, paint->K, paint->S},
                                  {0, interface_.none() ? kMeasuredK2 : 0});
   }

@@ -125,7 +125,8 @@ ColorBases::ColorBases() {
 }
 
 ColorBases::Shares base_shares(const std::array<double, 3>& rgb) {
-  // From dark to light: what all three have is white, what two have is their sum, the rest is one.
+  // The share that all three components have is white, the share that two of them have is their
+  // mixed corner, the rest is a single primary.
   std::array<std::size_t, 3> order = {0, 1, 2};
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     return std::pair(rgb[a], a) < std::pair(rgb[b], b);

@@ -1,6 +1,7 @@
 #pragma once
-// One line of JSON as a flat list of values, checked: UTF-8, syntax, depth, duplicate keys, numbers
-// that fit a double. Buffers are reused from line to line. Knows nothing of logs.
+// Parses one line of JSON into a flat list of values. It checks UTF-8, syntax, depth, duplicate
+// keys, and that numbers fit a double. Buffers are reused from line to line. It does not depend on
+// logs.
 
 #include <cstdint>
 #include <memory>

@@ -1,12 +1,12 @@
 #pragma once
-// Slow looks at a line of JSON, for messages and rare cases.
+// Slow scans of a line of JSON, for messages and rare cases.
 
 #include <string>
 #include <string_view>
 
 namespace pentimento::log {
 
-/// Whether `line` ends inside an object, array or string: what a cut leaves behind.
+/// Whether `line` ends inside an object, array or string, as a line does that was cut short.
 bool ends_inside_json(std::string_view line);
 
 /// The first number of `line` that a double or a 64-bit integer cannot hold, as

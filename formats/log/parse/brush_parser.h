@@ -6,7 +6,7 @@
 
 namespace pentimento::log {
 
-/// Problems are noted in `fields`.
+/// Reads a brush. `fields` keeps the first problem.
 BrushSpec parse_brush_spec(Fields& fields);
 
 }  // namespace pentimento::log

@@ -1,6 +1,6 @@
 #pragma once
-// One line of JSON becomes one event: names, kinds and ranges of its fields. What depends on other
-// lines (order, touches, known names) is in log_rules.h.
+// Turns one line of JSON into an event, and checks names, kinds and ranges of its fields. Checks
+// that need other lines (order, touches, known names) are in log_rules.h.
 
 #include <string>
 #include <string_view>

@@ -46,7 +46,7 @@ Fields::Fields(const JsonLine& line, const JsonNode& object, std::string_view pr
   }
 }
 
-/// Looks on from the last member found: logs mostly keep the documented order.
+/// The search goes on from the member that was found last, for most logs keep the documented order.
 const JsonNode* Fields::find(std::string_view name) {
   if (asked_count_ < kMaxMembers) asked_[asked_count_++] = name;
   for (std::size_t i = 0; i < members_; ++i) {

@@ -1,7 +1,8 @@
 #pragma once
-// The members of one JSON object, taken out by name and checked: kind, range, missing, unknown.
-// The first problem is kept; what is taken after it is a default. Of an object with more than 64
-// members only the first 64 are seen; finish() refuses it.
+// Takes the members of one JSON object by name, and checks kind and range, and which members are
+// missing or unknown.
+// The first problem is kept; after it, members have default values. Of an object with more than 64
+// members only the first 64 are seen, and finish() refuses it.
 
 #include <array>
 #include <cstdint>
@@ -32,7 +33,7 @@ class Fields {
   /// Index into `choices`.
   std::optional<int> choice(std::string_view name, std::span<const std::string_view> choices);
   std::optional<Rgb> triple(std::string_view name, const Range& range);
-  /// "#rrggbb" (sRGB) or a linear triple 0..1; linear.
+  /// A colour as linear light, from "#rrggbb" (sRGB) or from a linear triple 0..1.
   std::optional<Rgb> color(std::string_view name);
   std::optional<std::vector<double>> numbers(std::string_view name, const Range& range);
   /// A value of the table's kind and range.
@@ -46,7 +47,7 @@ class Fields {
   bool read_pair(const JsonNode& node, std::string_view name, const std::array<Range, 2>& range,
                  std::array<double, 2>& out);
 
-  /// What `value` holds, or a note that `name` is missing.
+  /// What `value` holds. If it holds nothing, notes that `name` is missing and returns a default.
   template <typename T>
   T required(std::string_view name, std::optional<T> value) {
     if (!value) missing(name);

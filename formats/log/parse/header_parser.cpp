@@ -19,8 +19,8 @@ constexpr std::string_view kEdges[] = {"closed", "open"};
 constexpr std::string_view kOptics[] = {"rgb", "spectral"};
 constexpr std::string_view kToneCurves[] = {"none", "soft", "filmic"};  // in the order of ToneCurve
 
-/// Whether this is a log of ours, of a version we know: before anything else, since a newer
-/// version may look different in all the rest.
+/// Checks that this is a log of a version that we know. This comes first, for in a newer version
+/// everything else may differ.
 void parse_identity(Fields& fields, Header& header) {
   if (fields.text_view("type") != "header") {
     fields.fail("line 1 is not a header: its type is not \"header\"");

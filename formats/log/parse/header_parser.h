@@ -8,7 +8,7 @@
 
 namespace pentimento::log {
 
-/// The newest version of the format that is read, and the one that is written.
+/// The version of the format that is written, and the newest that is read.
 inline constexpr int kLogVersion = 1;
 
 /// Returns what is wrong, or an empty string.

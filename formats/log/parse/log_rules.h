@@ -45,7 +45,7 @@ class LogRules {
   std::set<Rgb> colors_;
 };
 
-/// The problems of a header that go beyond its own text: the files it names. Empty if none.
+/// What is wrong with the names of files in a header; empty if nothing.
 std::string header_file_problem(const Header& header, bool allow_outside);
 
 }  // namespace pentimento::log

@@ -1,11 +1,11 @@
 #pragma once
-// What may be chosen of how a log is read.
+// The options of reading a log.
 
 #include <cstdint>
 
 namespace pentimento::log {
 
-/// Adjustable bounds against hostile or broken input.
+/// Bounds against hostile or broken input.
 struct Limits {
   std::int64_t max_events = 200'000'000;
   std::int64_t max_line_bytes = 16 << 20;

@@ -16,7 +16,7 @@ class ByteSink {
   virtual void end() = 0;
 };
 
-// Each writes into `file`, which outlives it.
+// Each sink writes into `file`, which must outlive it.
 std::unique_ptr<ByteSink> gzip_sink(OutputFile& file);
 /// With the frame's checksum.
 std::unique_ptr<ByteSink> zstd_sink(OutputFile& file);

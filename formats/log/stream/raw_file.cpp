@@ -53,7 +53,7 @@ Result<std::unique_ptr<RawFile>> RawFile::open(const std::string& path) {
     errno = EISDIR;
     return io_error(name, "cannot be read");
   }
-  // Standard input may be a file already read in part by someone else: only a copy is ours.
+  // Standard input may be a file that another program has read in part, so it is copied.
   if (standard_input || !S_ISREG(status.st_mode)) {
     const Result<void> spooled = file->spool();
     if (!spooled) return spooled.error();

@@ -54,7 +54,7 @@ struct PaperSpec {
   Rgb reflectance = {0.9, 0.9, 0.9};
 };
 
-/// How pictures of this log are developed; what is not said is as it is by default.
+/// How pictures of this log are developed. A value that is not set has its default.
 struct PictureSpec {
   std::optional<double> exposure_ev, varnish, occlusion, white_temperature_K;
   std::optional<std::array<double, 2>> white_xy;
@@ -84,7 +84,7 @@ struct Touch {
   double x_m = 0, y_m = 0;
   std::optional<double> pressure, tilt_x_deg, tilt_y_deg, twist_deg, radius_m;
 };
-/// As the log has it: y UP. Replay flips it into core's frame.
+/// The accelerometer's reading as the log has it: y UP. The replay converts it to core's frame.
 struct Gravity {
   double x_m_s2 = 0, y_m_s2 = 0, z_m_s2 = 9.81;
 };

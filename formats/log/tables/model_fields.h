@@ -27,7 +27,7 @@ std::span<const ModelField> model_fields();
 const ModelField* find_model_field(std::string_view name);
 
 double get_model_value(const ModelField& field, const Model& model);
-/// `value` passed value_problem().
+/// Sets a parameter. value_problem() must have accepted `value`.
 void set_model_value(const ModelField& field, Model& model, double value);
 /// As JSON, shortest digits: 0.01, true, "paper".
 std::string model_value_json(const ModelField& field, const Model& model);
@@ -35,8 +35,9 @@ std::string model_value_json(const ModelField& field, const Model& model);
 /// What is wrong between fields, as "gamma 0.9 is not below zeta 0.8"; empty if nothing.
 std::string model_problem(const Model& model);
 
-/// For `--set model.nu_max=1e-2`: `name` without "model.". The model is unchanged on error; whoever
-/// sets several calls model_problem() after the last. Errors: kUsage.
+/// Sets a parameter from text, for `--set model.nu_max=1e-2`. `name` is without "model.". The model
+/// does not change on an error. Call model_problem() after the last of several settings. Errors:
+/// kUsage.
 Result<void> set_model_text(Model& model, std::string_view name, std::string_view text);
 
 }  // namespace pentimento::log

@@ -31,7 +31,8 @@ Result<double> parse_number(const Parameter& parameter, std::string_view text) {
 }  // namespace
 
 std::string value_problem(const Parameter& parameter, double value) {
-  // As it is stored: a dump gives back 0.66 as the float nearest to it, which is a little more.
+  // Compares the value as it is stored: a dump gives back 0.66 as the nearest float, which is a
+  // little more.
   const float stored = static_cast<float>(value);
   if (!(stored >= static_cast<float>(parameter.min) &&
         stored <= static_cast<float>(parameter.max))) {

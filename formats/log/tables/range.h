@@ -1,5 +1,5 @@
 #pragma once
-// The bounds of a number in a log, both allowed.
+// The bounds of a number in a log. The bounds themselves are allowed.
 
 #include <string_view>
 

@@ -1,6 +1,6 @@
 #pragma once
-// The ranges of an action log's numbers, for its reader and its documentation. Generous: they keep
-// out what no session holds and what arithmetic could not bear.
+// The ranges of the numbers in an action log, for the reader and the documentation. They are
+// generous: they exclude what no session holds, and numbers that would overflow.
 
 #include "formats/log/tables/range.h"
 

@@ -80,7 +80,8 @@ std::string brush_json(const BrushSpec& brush) {
   return json.close();
 }
 
-/// All parameters, also the defaults: a log stays what it was if a default should ever move.
+/// Writes all parameters, also those with default values. So a log keeps its meaning if a default
+/// ever changes.
 std::string model_json(const Model& model) {
   JsonObject json;
   for (const ModelField& field : model_fields()) {

@@ -1,6 +1,7 @@
 #pragma once
-// Header and events as lines of JSON: members in the documented order, numbers in the shortest form
-// that reads back exactly. What is absent stays absent; of the model all parameters are written.
+// Turns header and events into lines of JSON. Members stand in the documented order, numbers in the
+// shortest form that reads back exactly. What is absent stays absent, but all parameters of the
+// model are written.
 
 #include <string>
 

@@ -14,7 +14,7 @@ namespace pentimento::log {
 
 enum class Compression { kNone, kGzip, kZstd };
 
-/// By the name's end: .gz, .zst, else plain.
+/// The compression that the end of the name asks for: .gz, .zst, else none.
 Compression compression_of(std::string_view path);
 
 class Writer {
@@ -24,9 +24,9 @@ class Writer {
                                                 bool no_clobber = false);
   virtual ~Writer() = default;
 
-  /// Once, before any event.
+  /// Writes the header. Call once, before any event.
   virtual void write(const Header& header) = 0;
-  /// The event must be one that a reader would accept; it is not checked.
+  /// Writes an event. It is not checked, and must be one that a reader accepts.
   virtual void write(const Event& event) = 0;
   /// Ends the file and gives it its name. Errors: kIo, also of earlier writes.
   virtual Result<Published> finish() = 0;

@@ -1,4 +1,4 @@
-// Films out, through OpenCV.
+// Writes videos through OpenCV.
 
 #include <cstddef>
 #include <exception>
