@@ -9,8 +9,8 @@
 namespace pentimento {
 
 struct BrushSettings {
-  float medium_frac = 0.5f;   // slider, share of film_medium that one pass lays, 0..1
-  float pigment_frac = 0.7f;  // slider, share of film_pigment that one pass lays, 0..1
+  float medium_frac = 0.5f;   // slider, share of film_medium in one pass, 0..1
+  float pigment_frac = 0.7f;  // slider, share of film_pigment in one pass, 0..1
   float size_m = 0.03f;       // diameter, > 0
   float pickup = 0.3f;        // share of the paint under it picked up per diameter, 0..1
   float refill = 0.05f;       // R22: share that the palette replaces per 0.1 diameter, 0..1

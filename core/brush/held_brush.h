@@ -1,6 +1,6 @@
 #pragma once
-// The brush in the hand: which it is, how its sliders stand and what it is dipped into. It says
-// what a change of these does to the paint that brushes hold; that paint is its owner's.
+// The brush in the hand: which brush it is, its sliders, and the paint that it is dipped into. The
+// functions say what a change does to the paint that brushes hold; the caller keeps that paint.
 
 #include <memory>
 #include <vector>
@@ -13,7 +13,7 @@
 
 namespace pentimento {
 
-/// A colour on a part of the tip; the later lies over the earlier.
+/// A colour on a part of the tip. A later one lies over an earlier one.
 struct DippedColor {
   int pigment = 0;
   ReservoirRows rows;
@@ -21,26 +21,28 @@ struct DippedColor {
 
 class HeldBrush {
  public:
-  /// The round brush with the first pigment of the palette that `basis` was made from. Both outlive
-  /// it; the model may change, and reload() follows it.
+  /// Begins as the round brush with the first pigment of the palette that `basis` was made from.
+  /// `basis` and `model` must outlive the object. The model may change; then call reload().
   HeldBrush(const ChannelBasis& basis, const Model& model);
 
-  /// True if it is another brush than the one in the hand: a clean one, to be dipped.
+  /// Takes a brush. True if it is another brush than the one in the hand: it is clean, and the
+  /// caller dips it.
   [[nodiscard]] bool take(const BrushDefinition& brush);
-  /// True if the sliders change what it is to hold: it is to be dipped anew.
+  /// Sets the sliders. True if that changes the load: the caller dips the brush anew.
   [[nodiscard]] bool set_settings(const BrushSettings& settings);
-  /// After a change of the model: true likewise.
+  /// Call it after a change of the model. True if that changes the load.
   [[nodiscard]] bool reload();
-  /// The whole tip is to be dipped into it.
+  /// Chooses the pigment for the whole tip.
   void set_color(int pigment);
-  /// The part [from, to] of its width is. Returns the rows to be dipped.
+  /// Chooses the pigment for the part [from, to] of the tip's width, 0..1. Returns the rows of the
+  /// reservoir to dip.
   ReservoirRows set_color(int pigment, float from, float to);
 
   const BrushDefinition& brush() const { return brush_; }
   const Tip& tip() const { return *tip_; }
   const BrushSettings& settings() const { return settings_; }
   const std::vector<DippedColor>& colors() const { return colors_; }
-  /// What a brush that lays paint is dipped into.
+  /// The load, for a brush that deposits paint.
   const PaintLoad& load() const { return load_; }
 
  private:

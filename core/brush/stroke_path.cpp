@@ -9,7 +9,7 @@ namespace pentimento {
 
 namespace {
 constexpr double kPauseFrac = 1e-4;    // of the diameter: smaller moves are the hand's tremble
-constexpr double kTapFrac = 0.5;       // of the diameter: what the shortest touch lays
+constexpr double kTapFrac = 0.5;       // of the diameter: a tap deposits as much
 constexpr double kHeadingFrac = 0.25;  // of the diameter: length over which a tip turns
 constexpr double kChordsPerStamp = 4;  // a chord's sagitta is then far below a cell
 constexpr int kMinChords = 4;

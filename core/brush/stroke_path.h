@@ -41,7 +41,7 @@ class StrokePath {
   /// diameters is a pause: it changes pressure, tilt and time, not the path.
   void add(const TouchSample& device_sample, std::vector<Stamp>& out);
   /// The touch lifts. Appends the rest of the stamps to `out`. If the stroke was shorter than half
-  /// a diameter, as a tap is, its last stamp lays what half a diameter would.
+  /// a diameter, as a tap is, its last stamp deposits as much as half a diameter would.
   void finish(std::vector<Stamp>& out);
 
   /// All stamps before this time have come out, s.

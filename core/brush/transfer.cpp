@@ -41,7 +41,7 @@ float speed_factor(const Stamp& stamp) {
   return 1 + std::sqrt(v.x * v.x + v.y * v.y) / (kSlowing_per_s * stamp.diameter_m);
 }
 
-/// Share of the film that the brush still lays as it dries. Below kDryFilm it falls slowly, for
+/// Share of the film that the brush still deposits as it dries. Below kDryFilm it falls slowly, for
 /// bristles that still give paint do not give much less.
 float wet_film(float density_frac) {
   if (density_frac >= kDryFilm) return density_frac;
@@ -94,7 +94,7 @@ void Transfer::apply(const Stamp& stamp, const BrushInHand& hand, const Model& m
   // The canvas gives paint to the brush (R23), the palette refills it (R22).
   for_rows(plan, &Transfer::pick_up_rows);
   pick_up_and_refill(plan, hand, reservoir);
-  // Levelling must not change how much the stamp lays.
+  // Levelling must not change how much the stamp deposits.
   const bool deposits = find_share_scale(plan);
   if (listener_ != nullptr) listener_->before_deposit(plan, state_);
   if (!deposits) return;

@@ -21,7 +21,7 @@ float penetration_weight(float penetration_frac, int layer, int occupied);
 
 /// Picks up paint from the cells of a row.
 ///   P_k -= f w_k P_k,  d -= f mean(w_k) d,  f = min(1, share weight)
-///   lifted[x] = (height, channels) that left; sums = the same over the row, in double: exactly
+///   picked_up[x] = (height, channels) that left; sums = the same over the row, in double: exactly
 ///   what the planes lost (height first)
 /// Scheme: pointwise. Stability: f, w_k in [0,1] leave everything >= 0.
 /// Source: R22, R23; A20 (what the brush gains leaves the canvas, pigment and its share of medium).

@@ -1,7 +1,7 @@
 #pragma once
-// A canvas to paint on from C++, without a log. A stroke takes the time that a hand needs for it,
-// and the paint flows meanwhile: a log that says the same ends in the same state, bit for bit. One
-// instance, one thread at a time.
+// The easel: a canvas to paint on from C++, without a log. A stroke takes the time that a hand
+// needs for it, and the paint flows meanwhile. A log with the same strokes ends in the same state,
+// bit for bit. Only one thread at a time may use an easel.
 
 #include <memory>
 #include <string>
@@ -16,7 +16,7 @@
 
 namespace pentimento {
 
-/// What a stroke goes through: a place on the canvas, from the top left, y down.
+/// A point of a stroke: a place on the canvas, from the top left, y down.
 struct StrokePoint {
   double x_m = 0;
   double y_m = 0;
@@ -25,16 +25,16 @@ struct StrokePoint {
 
 class Easel {
  public:
-  /// Puts up the canvas of a log's header: size, grid, paper, palette, brushes, model, picture. It
-  /// must be one that a reader of logs would accept; it is not checked. Files that it names are
-  /// looked for in the working folder. `threads` 0: all that the machine has. In the hand is the
-  /// brush `round` with the palette's first pigment. Errors: kBadInput (a pigment that the library
-  /// does not have), those of the files.
+  /// Puts up the canvas of a log's header: size, grid, paper, palette, brushes, model, picture. The
+  /// header is not checked, and must be one that a reader of logs accepts. Files that it names are
+  /// looked for in the working folder. `threads` 0: as many as the machine has. The hand begins
+  /// with the brush `round` and the palette's first pigment. Errors: kBadInput (a pigment that the
+  /// library does not have), those of the files.
   static Result<std::unique_ptr<Easel>> open(const log::Header& header, int threads = 0);
   ~Easel();
 
-  // The hand. A name that is not there is an error: nothing more is painted, and write_png() says
-  // it.
+  // The hand. After a name that does not exist nothing more is painted, and write_png() returns the
+  // error.
   /// Takes up a brush of the header or a built-in one, with these sliders.
   void take_brush(const std::string& name, const BrushSettings& settings);
   /// Loads the brush with a pigment of the palette.
@@ -52,9 +52,10 @@ class Easel {
   /// the height follows the canvas. Errors: the first of the calls above, kIo, those of OpenGL.
   Result<Published> write_png(const std::string& path, int width = 0);
 
-  /// What lights the pictures: at first that of a log which says nothing of it.
+  /// The light of the pictures. It begins as the light of a log without events of light.
   Lighting& lighting();
-  /// What has no call here: gravity, model, the state. Its steps are the easel's to do.
+  /// The simulation, for what has no call here: gravity, model, the state. Do not call its step();
+  /// the easel does that.
   Simulation& simulation();
 
  private:

@@ -75,14 +75,14 @@ ConservativeScheme::ConservativeScheme(const CanvasGeometry& geometry)
 bool ConservativeScheme::step(CanvasState& state, const StepInput& in) {
   if (!tiles_) tiles_ = std::make_unique<SleepTiles>(geometry_, in.model.sleep_tile_m);
   steps_ += 1;
-  // 1. Who is awake: finds the tiles that this step computes. The workspace of a tile that is
-  // asleep holds zeros.
+  // 1. Wake tiles: finds the tiles that this step computes. The workspace of a tile that is asleep
+  // holds zeros.
   for (const int tile : tiles_->wake(state, in)) work_.clear(tiles_->box(tile));
   if (tiles_->awake_tiles().empty()) return false;
   work_.solver.set_runs(tiles_->runs());
   passed("wake");
 
-  // 2. Whole quanta: rounds what the brush left, so that all sums of this step are exact.
+  // 2. Round to quanta: rounds what the brush left, so that all sums of this step are exact.
   round_to_quanta(state, in);
   passed("round");
   // 3. to 7. once for each part: no front crosses more cells than its face depths are good for.
@@ -94,10 +94,10 @@ bool ConservativeScheme::step(CanvasState& state, const StepInput& in) {
                  {in.model, in.gravity_m_s2, dt_s, contact, in.amount, in.threads, in.listener},
                  part);
   }
-  // 8. Who falls asleep: finds the tiles that came to rest.
+  // 8. Tiles fall asleep: finds the tiles that came to rest.
   tiles_->fall_asleep(state, in, [&](const CellBox& b) { return feels_gravity(b); });
   passed("sleep");
-  // Bookkeeping for the reports; it changes nothing of the state.
+  // 9. Account: maxima for the reports. It changes nothing of the state.
   account(state, in);
   passed("account");
   return true;

@@ -114,7 +114,7 @@ void PaperScheme::prepare(CanvasState& state, const StepInput& in) {
       const Columns cells = rows_.live(y);
       if (cells.empty()) continue;
       float *u = state.velocity_x_m_s.row(y), *v = state.velocity_y_m_s.row(y);
-      // R17: the brush's velocity is imposed before the transport; R16: no paint crosses the
+      // R17: the brush's velocity is imposed before the advection; R16: no paint crosses the
       // canvas's edge.
       if (!in.contact.empty()) {
         impose_brush_row(in.contact, y, cells, u, v);

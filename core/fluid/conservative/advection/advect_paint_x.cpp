@@ -177,7 +177,7 @@ class PaintRow {
     flux_rows(options, {cells(tau_lo_), cells(tau_hi_)}, rows, n_, lo, hi);
     gather_rows(cells(stay_), {hi - 1, hi, lo, lo + 1}, n_, amount);
     if (far_.empty()) return;
-    // Far cells passed nothing yet: each is laid over the cells that its image covers.
+    // Far cells passed nothing yet: each is spread over the cells that its image covers.
     const std::vector<FarCell> far = take_far_cells(far_, cells(edge_), options, rows);
     put_far_cells(far, n_, options.rounder, [&](int i, int) -> float& { return amount[i]; });
   }

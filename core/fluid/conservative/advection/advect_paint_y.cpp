@@ -129,7 +129,7 @@ class PaintStream {
       move_depth(r);
       for (int layer = 0; layer < state_.layers; ++layer) move_layer(layer, r);
     }
-    // Far cells are laid last, over rows that are done.
+    // Far cells are added last, to rows that are done.
     put_far();
   }
 
