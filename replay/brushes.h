@@ -20,6 +20,7 @@ class BrushTable {
 
   /// The brush in the hand before the log names one: `round`.
   const BrushDefinition& first() const { return find("round"); }
+  bool has(const std::string& name) const { return brushes_.contains(name); }
   /// `name` is in the header or built in (the reader checked it).
   const BrushDefinition& find(const std::string& name) const;
 

@@ -10,6 +10,7 @@
 #include "replay/changed_canvas.h"
 #include "replay/channel_change.h"
 #include "replay/paper_relief.h"
+#include "replay/simulation_setup.h"
 #include "replay/timeline/step_clock.h"
 
 namespace pentimento {
@@ -197,14 +198,9 @@ Result<LogSession> open_session(const RenderJob& job, const Control& control) {
 
 Result<std::unique_ptr<Simulation>> make_simulation(LogSession& session, const Threads& threads) {
   const log::Header& header = session.reader->header();
-  SimulationSetup setup;
+  SimulationSetup setup = simulation_setup(header, session.model);
   setup.geometry = session.grid;
-  setup.model = session.model;
   setup.basis = session.basis;
-  setup.dt_s = StepClock(header.steps_per_second).dt_s();
-  const log::Rgb& paper = header.paper.reflectance;
-  setup.paper_reflectance = session.maker.ground(
-      {static_cast<float>(paper[0]), static_cast<float>(paper[1]), static_cast<float>(paper[2])});
   if (session.start) {
     setup.paper_m = session.start->state.paper_m.clone();
   } else {

@@ -28,6 +28,7 @@ class Palette {
   /// Index of what the brush is loaded with. `color` went through pick().
   int find(const log::Color& color) const;
 
+  bool has(const std::string& name) const { return index_.contains(name); }
   /// Index of the pigment called `name`, which is there.
   int find(const std::string& name) const { return index_.at(name); }
 
