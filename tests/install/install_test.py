@@ -123,7 +123,7 @@ class InstallTest(unittest.TestCase):
                    picture, "--max", "0.0079")
         self.assertEqual(same.returncode, 0, same.stdout + same.stderr)
         width, height, rows = pixels(picture)
-        self.assertEqual((width, height), (560, 560))
+        self.assertEqual((width, height), (432, 432))
         # A blank canvas has a handful of codes, a painted one nearly all.
         self.assertGreater(len(set(rows)), 200)
 
