@@ -42,11 +42,11 @@ int run_compare(const Arguments& arguments) {
       ->check(in_range(0.0, 1.0))
       ->type_name("N");
   app.add_option("--l2", allowed.relative_l2,
-                 "largest relative L2 difference of what was reduced from a finer canvas")
+                 "largest relative L2 difference of what was reduced from a detail canvas")
       ->check(in_range(0.0, 1e300))
       ->type_name("N");
   app.add_option("--block", allowed.worst_block,
-                 "largest relative difference of one block of a finer canvas")
+                 "largest relative difference of one block of a detail canvas")
       ->check(in_range(0.0, 1e300))
       ->type_name("N");
   app.add_option("--threads", thread_count, "0 = all")->check(in_range(0, 1024))->type_name("N");

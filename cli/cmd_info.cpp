@@ -5,7 +5,7 @@
 #include <CLI/Formatter.hpp>
 
 #include "cli/command.h"
-#include "replay/file_info.h"
+#include "replay/commands/file_info.h"
 
 namespace pentimento::cli {
 

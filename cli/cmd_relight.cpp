@@ -9,8 +9,8 @@
 #include "cli/picture_options.h"
 #include "cli/range.h"
 #include "cli/talk.h"
-#include "formats/film/film_writer.h"
-#include "replay/relight.h"
+#include "formats/video/video_writer.h"
+#include "replay/commands/relight.h"
 
 namespace pentimento::cli {
 
@@ -23,19 +23,19 @@ constexpr const char* kAbout =
     "  pentimento relight state.h5 -o frame-%04d.png --light-path orbit --frames 48\n"
     "  pentimento relight state.h5 -o turn.mp4 --light-path orbit --frames 96";
 
-struct Options {
+struct RelightOptions {
   RelightJob job;
   PictureOptions picture;
   TalkOptions talk;
   std::optional<double> fps;
 };
 
-Result<void> complete(Options& o) {
+Result<void> complete(RelightOptions& o) {
   Result<PictureChoice> picture = o.picture.picture();
   if (!picture) return picture.error();
   o.job.picture = std::move(*picture);
   const std::vector<std::string>& outputs = o.job.picture.outputs;
-  if (o.fps && std::none_of(outputs.begin(), outputs.end(), is_film_name)) {
+  if (o.fps && std::none_of(outputs.begin(), outputs.end(), is_video_name)) {
     return Error{ErrorCode::kUsage, "--fps needs an -o FILE.avi, FILE.mkv or FILE.mp4"};
   }
   o.job.picture.frames_per_second = o.fps.value_or(o.job.picture.frames_per_second);
@@ -44,12 +44,12 @@ Result<void> complete(Options& o) {
   o.job.light = std::move(*light);
   o.job.size = o.picture.size();
   o.job.threads = o.picture.threads;
-  return check_standard_output(o.job.picture.outputs, o.talk.json);
+  return check_outputs(o.job.picture.outputs, o.talk.json);
 }
 }  // namespace
 
 int run_relight(const Arguments& arguments) {
-  Options o;
+  RelightOptions o;
   CLI::App app(kAbout, "pentimento relight");
   app.add_option("state", o.job.state, "a state dump (.h5)")->required();
   app.add_option("--light-path", o.job.light_path,

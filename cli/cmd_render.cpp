@@ -12,8 +12,8 @@
 #include "cli/range.h"
 #include "cli/talk.h"
 #include "cli/values.h"
-#include "replay/dry_run.h"
-#include "replay/render.h"
+#include "replay/commands/dry_run.h"
+#include "replay/commands/render.h"
 
 namespace pentimento::cli {
 
@@ -27,7 +27,7 @@ constexpr const char* kAbout =
     "  pentimento render session.jsonl -o state.h5 --json\n"
     "  cat session.jsonl.zst | pentimento render - -o - > picture.png";
 
-struct Options {
+struct RenderOptions {
   RenderJob job;
   PictureOptions picture;
   TalkOptions talk;
@@ -36,7 +36,7 @@ struct Options {
   bool dry_run = false;
 };
 
-void add_replay_options(CLI::App& app, Options& o) {
+void add_replay_options(CLI::App& app, RenderOptions& o) {
   app.add_option("log", o.job.log, "the action log; `-` is standard input")
       ->required()
       ->type_name("");
@@ -67,7 +67,7 @@ void add_replay_options(CLI::App& app, Options& o) {
       ->type_name("X,Y,Z");
 }
 
-void add_limit_options(CLI::App& app, Options& o) {
+void add_limit_options(CLI::App& app, RenderOptions& o) {
   log::Limits& limits = o.job.reading.limits;
   app.add_flag("--salvage", o.job.reading.salvage,
                "replay a log that is cut short in its last line");
@@ -90,8 +90,8 @@ void add_limit_options(CLI::App& app, Options& o) {
   app.add_flag("--dry-run", o.dry_run, "tell size, steps, memory, disk and time; do nothing");
 }
 
-/// The text options into the job.
-Result<void> complete(Options& o) {
+/// Parses the options that are text into the job.
+Result<void> complete(RenderOptions& o) {
   RenderJob& job = o.job;
   if (!o.scheme.empty()) job.model.emplace_back("scheme", o.scheme);
   for (const std::string& setting : o.set) {
@@ -123,10 +123,11 @@ Result<void> complete(Options& o) {
   job.light = std::move(*light);
   job.size = o.picture.size();
   job.threads = o.picture.threads;
-  return check_standard_output(job.picture.outputs, o.talk.json && !o.dry_run);
+  if (o.dry_run) return {};
+  return check_outputs(job.picture.outputs, o.talk.json);
 }
 
-int run(const Options& o, const Control& control) {
+int run(const RenderOptions& o, const Control& control) {
   if (o.dry_run) {
     Result<JobEstimate> estimate = dry_run(o.job, control);
     if (!estimate) return fail(estimate.error());
@@ -139,7 +140,7 @@ int run(const Options& o, const Control& control) {
 }  // namespace
 
 int run_render(const Arguments& arguments) {
-  Options o;
+  RenderOptions o;
   CLI::App app(kAbout, "pentimento render");
   add_replay_options(app, o);
   o.picture.add_to(app);

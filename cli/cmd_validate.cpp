@@ -7,8 +7,8 @@
 #include <CLI/Formatter.hpp>
 
 #include "cli/command.h"
-#include "replay/json_object.h"
-#include "replay/validate.h"
+#include "replay/commands/validate.h"
+#include "replay/job/report_object.h"
 
 namespace pentimento::cli {
 
@@ -20,7 +20,7 @@ constexpr const char* kAbout =
     "  pentimento validate samples/*/*.jsonl --json";
 
 std::string verdict_json(const std::string& file, const Result<LogFacts>& facts) {
-  JsonObject json;
+  ReportObject json;
   json.add("file", file).add("valid", facts.ok());
   if (!facts) return json.add("error", facts.error().message).text();
   return json.add("events", facts->summary.event_count)

@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <string_view>
 
-#include "formats/log/nearest_name.h"
+#include "formats/log/json/nearest_name.h"
 
 namespace pentimento::cli {
 

@@ -1,11 +1,11 @@
 #pragma once
-// What all subcommands share: how they are called, what they give back, how they say what is wrong.
+// What all subcommands share: how they are called, their exit codes, and their error messages.
 
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "core/result.h"
+#include "core/base/result.h"
 
 namespace CLI {
 class App;
@@ -23,17 +23,17 @@ struct Command {
   int (*run)(const Arguments& arguments);
 };
 
-/// docs/cli.md, exit codes.
+/// The exit code of an error (docs/cli.md).
 int exit_code(ErrorCode code);
 
-/// Says `pentimento: MESSAGE` on standard error in one line; gives the exit code.
+/// Prints `pentimento: MESSAGE` on standard error, in one line. Returns the exit code.
 int fail(const Error& error);
 
-/// Parses `arguments` into what was bound to `app`. Nothing: go on; else the exit code, help or a
-/// one-line error having been printed. Options may stand in any order.
+/// Parses `arguments` into the variables bound to `app`. Returns nullopt to go on; else help or a
+/// one-line error was printed, and the result is the exit code. Options may stand in any order.
 std::optional<int> parse(CLI::App& app, const Arguments& arguments);
 
-/// Prints on standard output and checks that it arrived. Gives the exit code.
+/// Prints on standard output and checks that the text arrived. Returns the exit code.
 int print(const std::string& text);
 
 int run_render(const Arguments& arguments);

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <string_view>
 
-#include "formats/log/nearest_name.h"
-#include "replay/build_info.h"
+#include "formats/log/json/nearest_name.h"
+#include "replay/job/build_info.h"
 
 namespace pentimento::cli {
 

@@ -1,5 +1,6 @@
 #pragma once
-// From the command line to a subcommand, with help, version and a suggestion for a misspelt name.
+// Finds the subcommand of a command line and runs it. Prints help, version, or a suggestion for a
+// misspelt name. Returns the exit code.
 
 #include <span>
 

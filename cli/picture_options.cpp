@@ -8,8 +8,8 @@
 #include "cli/range.h"
 #include "cli/values.h"
 #include "core/optics/tone.h"
-#include "formats/log/ranges.h"
-#include "replay/lighting_track.h"
+#include "formats/log/tables/ranges.h"
+#include "replay/play/lighting_track.h"
 
 namespace pentimento::cli {
 
@@ -53,7 +53,7 @@ bool is_png(const std::string& path) {
   return ends_with(path, ".png");
 }
 
-/// Extra layers go into an EXR or beside PNGs, floats into an EXR: neither is asked for without.
+/// AOVs need an EXR or a PNG among the outputs, floats need an EXR.
 Result<void> check_layer_options(const PictureChoice& choice) {
   const std::vector<std::string>& outputs = choice.outputs;
   if (outputs.empty() || std::any_of(outputs.begin(), outputs.end(), is_exr)) return {};
@@ -82,7 +82,7 @@ Result<void> choose_debug_view(const std::string& name, PictureChoice& choice) {
   return {};
 }
 
-/// `dir:X,Y,Z`, `pos:X,Y,Z`, and after it the intensity, and after that the colour.
+/// A lamp: `dir:X,Y,Z` or `pos:X,Y,Z`, then perhaps its intensity, then perhaps its colour.
 Result<Lamp> parse_lamp(const std::string& text) {
   const Error bad = {
       ErrorCode::kUsage,
@@ -108,7 +108,7 @@ Result<Lamp> parse_lamp(const std::string& text) {
   return lamp;
 }
 
-/// A temperature, or CIE x,y.
+/// A white point: a temperature, or CIE x,y.
 Result<void> parse_white(const std::string& text, log::PictureSpec& picture) {
   const bool pair = text.find(',') != std::string::npos;
   Result<std::vector<double>> n = parse_numbers("--white-point", text, pair ? 2 : 1);
@@ -277,7 +277,9 @@ void TalkOptions::add_to(CLI::App& app) {
   app.add_flag("--json", json, "closing report as JSON on standard output");
 }
 
-Result<void> check_standard_output(const std::vector<std::string>& outputs, bool json) {
+Result<void> check_outputs(const std::vector<std::string>& outputs, bool json) {
+  if (outputs.empty())
+    return Error{ErrorCode::kUsage, "nothing to write: give at least one -o FILE"};
   if (!json || std::find(outputs.begin(), outputs.end(), "-") == outputs.end()) return {};
   return Error{ErrorCode::kUsage, "--json and -o - both want standard output"};
 }

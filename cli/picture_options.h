@@ -1,13 +1,14 @@
 #pragma once
-// The options that `render` and `relight` share: what is written, how large, in which light.
+// The options that `render` and `relight` share: which files are written, how large, in which
+// light.
 
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "core/result.h"
-#include "replay/render_job.h"
+#include "core/base/result.h"
+#include "replay/job/render_job.h"
 
 namespace CLI {
 class App;
@@ -15,7 +16,8 @@ class App;
 
 namespace pentimento::cli {
 
-/// As typed; values() turns them into what the job takes.
+/// The options as typed. The member functions turn them into the values that a job takes.
+/// Errors: kUsage.
 struct PictureOptions {
   std::vector<std::string> outputs;
   std::optional<int> width, height;
@@ -39,7 +41,7 @@ struct PictureOptions {
   Result<void> development(log::PictureSpec& picture) const;
 };
 
-/// How the job talks: progress, words, the closing report.
+/// The options of progress, messages and the closing report.
 struct TalkOptions {
   bool quiet = false, json = false;
   std::string progress = "auto";
@@ -47,7 +49,9 @@ struct TalkOptions {
   void add_to(CLI::App& app);
 };
 
-/// Standard output cannot carry a picture and a report. Errors: kUsage.
-Result<void> check_standard_output(const std::vector<std::string>& outputs, bool json);
+/// Checks that something is written, and that not both a picture and a report go to standard
+/// output.
+/// Errors: kUsage.
+Result<void> check_outputs(const std::vector<std::string>& outputs, bool json);
 
 }  // namespace pentimento::cli

@@ -5,7 +5,7 @@
 
 #include <cstdio>
 
-#include "replay/json_object.h"
+#include "replay/job/report_object.h"
 
 namespace pentimento::cli {
 
@@ -29,7 +29,7 @@ std::string terminal_line(const ProgressState& state, double per_s, double left_
 }
 
 std::string ndjson_line(const ProgressState& state, double per_s, double left_s) {
-  JsonObject json;
+  ReportObject json;
   json.add("phase", state.phase).add("done", state.done).add("total", state.total);
   if (state.total > 0) {
     json.add("percent", 100.0 * static_cast<double>(state.done) / static_cast<double>(state.total))
@@ -59,7 +59,7 @@ void ProgressPrinter::clear_line() {
   line_open_ = false;
 }
 
-/// The first and the last of a phase, and a few in between.
+/// Progress is shown at the start and the end of a phase, and a few times in between.
 bool ProgressPrinter::is_due(const ProgressState& state) {
   const Clock::time_point now = Clock::now();
   const bool first = state.phase != phase_;

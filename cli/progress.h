@@ -1,18 +1,18 @@
 #pragma once
-// How far a job is, on standard error: a line that rewrites itself on a terminal, a JSON object per
-// line for programs, or nothing.
+// Shows the progress of a job on standard error: on a terminal as a line that rewrites itself, for
+// programs as a JSON object per line, or not at all.
 
 #include <chrono>
 #include <string>
 
-#include "core/result.h"
-#include "replay/control.h"
+#include "core/base/result.h"
+#include "replay/job/control.h"
 
 namespace pentimento::cli {
 
 enum class ProgressMode { kNone, kTerminal, kNdjson };
 
-/// `auto`: on a terminal if standard error is one. Errors: kUsage.
+/// The mode of a name. `auto` is the terminal mode if standard error is a terminal. Errors: kUsage.
 Result<ProgressMode> progress_mode(const std::string& name, bool quiet);
 
 class ProgressPrinter {
@@ -24,7 +24,7 @@ class ProgressPrinter {
   ProgressPrinter& operator=(const ProgressPrinter&) = delete;
 
   void show(const ProgressState& state);
-  /// A line of words between; it does not tear the progress line.
+  /// Prints a line of text without tearing the progress line.
   void say(const std::string& text);
 
  private:

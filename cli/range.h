@@ -1,5 +1,5 @@
 #pragma once
-// A check of numbers whose message reads as those of logs do, and which leaves help readable.
+// A range check for options. Its message reads like those for logs, and help stays readable.
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>

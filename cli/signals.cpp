@@ -5,7 +5,7 @@
 namespace pentimento::cli {
 
 namespace {
-// A signal handler can reach nothing but a global.
+// A signal handler can only reach a global.
 std::atomic<bool> asked_to_stop{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
 

@@ -1,6 +1,6 @@
 #pragma once
-// SIGINT and SIGTERM ask the job to stop; it ends itself at a safe point and leaves nothing half
-// written. Asking again changes nothing.
+// SIGINT and SIGTERM ask the job to stop. The job ends at a safe point and leaves no file half
+// written. A second signal changes nothing.
 
 #include <atomic>
 

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "cli/signals.h"
-#include "replay/effective.h"
+#include "replay/output/effective.h"
 
 namespace pentimento::cli {
 

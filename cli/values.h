@@ -1,6 +1,6 @@
 #pragma once
-// Values of options as people write them: `1,2,3`, `8G`, `model.nu_max=1e-2`. Independent of the
-// locale. Errors are kUsage and name the option.
+// Parses values of options as people write them: `1,2,3`, `8G`, `model.nu_max=1e-2`. The locale
+// does not matter. Errors: kUsage with the name of the option.
 
 #include <array>
 #include <cstdint>
@@ -8,11 +8,11 @@
 #include <utility>
 #include <vector>
 
-#include "core/result.h"
+#include "core/base/result.h"
 
 namespace pentimento::cli {
 
-/// Exactly `count` finite numbers between commas.
+/// Parses exactly `count` finite numbers, separated by commas.
 Result<std::vector<double>> parse_numbers(const std::string& option, const std::string& text,
                                           std::size_t count);
 Result<double> parse_number(const std::string& option, const std::string& text);

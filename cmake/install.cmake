@@ -3,7 +3,7 @@
 include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/pentimento)
 
-# A folder of its own under include: `#include "core/simulation.h"` is the same in here and outside.
+# A folder of its own under include: `#include "core/simulation/simulation.h"` is the same in here and outside.
 set(header_dir ${CMAKE_INSTALL_INCLUDEDIR}/pentimento)
 foreach(library core formats replay)
   add_library(pentimento::${library} ALIAS ${library})

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "core/brush/hairs.h"
+#include "core/brush/tuft.h"
 
 namespace pentimento {
 
@@ -10,10 +10,10 @@ namespace {
 struct Builtin {
   std::string_view name;
   TipShape shape;
-  float size_pressure;  // soft hair spreads under pressure, a blade does not
+  float size_pressure;  // soft bristle spreads under pressure, a blade does not
   float flow_pressure;
   float spacing;   // 0: the slider's; a thin blade prints ribs at 2.5 %
-  float capacity;  // long hair holds more paint
+  float capacity;  // long bristle holds more paint
 };
 
 constexpr std::array<Builtin, 8> kBuiltins = {{{"round", TipShape::kRound, 0.4f, 0.7f, 0, 200},
@@ -43,7 +43,7 @@ std::optional<BrushDefinition> builtin_brush(std::string_view name) {
       brush.film = 0;
       brush.absorb = 0.99f;
     } else {
-      brush.bristles = bundle_of(b.shape).bristles;
+      brush.bristles = tuft_of(b.shape).bristles;
     }
     return brush;
   }

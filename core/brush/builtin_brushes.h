@@ -1,5 +1,5 @@
 #pragma once
-// The brushes every log may name without defining them.
+// The brushes that a log may name without defining them.
 
 #include <optional>
 #include <string>
@@ -12,7 +12,7 @@ namespace pentimento {
 
 /// The built-in brush of that name; nothing if there is none.
 std::optional<BrushDefinition> builtin_brush(std::string_view name);
-/// All of them, in the order of documentation.
+/// The names of all built-in brushes, in the order of the documentation.
 std::vector<std::string> builtin_brush_names();
 
 }  // namespace pentimento

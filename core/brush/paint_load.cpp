@@ -2,9 +2,16 @@
 
 #include <algorithm>
 
-#include "core/check.h"
+#include "core/base/check.h"
 
 namespace pentimento {
+
+ReservoirRows rows_across(float from, float to) {
+  PENTIMENTO_CHECK(from >= 0 && from <= to && to <= 1);
+  const auto row = [](float at) { return static_cast<int>(at * kReservoirRows + 0.5f); };
+  const int begin = std::min(row(from), kReservoirRows - 1);
+  return {begin, std::max(begin + 1, row(to))};
+}
 
 PaintLoad::PaintLoad(std::span<const float> held, std::span<const float> amount,
                      float height_per_amount_m)
@@ -14,7 +21,7 @@ PaintLoad::PaintLoad(std::span<const float> held, std::span<const float> amount,
   const std::size_t padded = (paint.size() + 3) / 4 * 4;
   paint.resize(padded, 0.0f);
   weight.resize(padded, 0.0f);
-  content_m = content_of(paint.data());
+  volume_m = volume_of(paint.data());
 }
 
 void PaintLoad::set_rows(const PaintLoad& other, int begin, int end) {

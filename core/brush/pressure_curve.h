@@ -1,5 +1,5 @@
 #pragma once
-// How something follows the pressure: straight lines between points. A plain value.
+// How a factor follows the pressure: straight lines between points. A plain value.
 
 #include <array>
 
@@ -8,21 +8,22 @@ namespace pentimento {
 inline constexpr int kMostCurvePoints = 16;
 
 struct PressureCurve {
-  struct Point {
+  struct PressurePoint {
     float pressure = 0;  // 0..1, rising from point to point
     float value = 0;
-    bool operator==(const Point&) const = default;
+    bool operator==(const PressurePoint&) const = default;
   };
   int count = 0;  // 0: no curve
-  std::array<Point, kMostCurvePoints> points{};
+  std::array<PressurePoint, kMostCurvePoints> points{};
 
   bool empty() const { return count == 0; }
-  /// The value at a pressure, held before the first and after the last point; needs a point.
+  /// The value at a pressure. Before the first and after the last point it is that point's value.
+  /// The curve must have a point.
   float at(float pressure) const {
     if (!(pressure > points[0].pressure)) return points[0].value;
     for (int i = 1; i < count; ++i) {
-      const Point& a = points[static_cast<std::size_t>(i - 1)];
-      const Point& b = points[static_cast<std::size_t>(i)];
+      const PressurePoint& a = points[static_cast<std::size_t>(i - 1)];
+      const PressurePoint& b = points[static_cast<std::size_t>(i)];
       if (pressure < b.pressure)
         return a.value +
                (b.value - a.value) * ((pressure - a.pressure) / (b.pressure - a.pressure));

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/fluid/conservative/kernel.h"
+#include "core/base/kernel.h"
 
 namespace pentimento {
 
@@ -11,13 +11,13 @@ constexpr int kPadding = 4;       // floats: a texel is whole vectors
 constexpr float kTrace = 1e-20f;  // less is nothing: subnormal numbers are slow
 constexpr int kCells = 64;        // of a row, sampled together
 
-/// The first of the four texels around each cell, and what each of the four counts.
+/// The first of the four texels around each cell, and the weights of the four.
 struct CellTexels {
   std::array<int, kCells> texel;
   std::array<std::array<float, kCells>, 4> weight;
 };
 
-/// What sample() finds for a cell.
+/// Finds the same as sample() does for a cell.
 PENTIMENTO_KERNEL
 void find_texels(const TipRow& given, int first, int n, CellTexels& out) {
   const TipRow tip = given;  // nobody else's: what is stored below does not change it
@@ -42,7 +42,7 @@ void find_texels(const TipRow& given, int first, int n, CellTexels& out) {
   }
 }
 
-/// `kStride`: floats per texel, or 0: `given_stride` are.
+/// `kStride`: floats per texel; 0: `given_stride` floats.
 template <int kStride>
 inline void blend_cells(const float* data, int given_stride, const CellTexels& at, int n,
                         float* out) {
@@ -110,16 +110,16 @@ void Reservoir::sample_row(const TipRow& tip, int first, int n, float* out) cons
 void Reservoir::refill(const PaintLoad& load, const Tip& tip, float refill_frac) {
   surplus_ = 0;
   if (as_loaded_) return;
-  content_.resize(tip.texels().size());
-  const bool gives = load.content_m > 0 && refill_frac != 0;
-  for (std::size_t n = 0; n < content_.size(); ++n) {
+  volume_.resize(tip.texels().size());
+  const bool gives = load.volume_m > 0 && refill_frac != 0;
+  for (std::size_t n = 0; n < volume_.size(); ++n) {
     const TipTexel& t = tip.texels()[n];
     float* paint = data_.data() + static_cast<std::ptrdiff_t>(t.index) * stride_;
-    const float content = load.content_of(paint);
-    content_[n] = content;
-    surplus_ += static_cast<double>(t.weight * std::max(0.0f, content - load.content_m));
+    const float volume = load.volume_of(paint);
+    volume_[n] = volume;
+    surplus_ += static_cast<double>(t.weight * std::max(0.0f, volume - load.volume_m));
     if (!gives) continue;
-    const float scale = refill_frac * std::max(1.0f, content / load.content_m);
+    const float scale = refill_frac * std::max(1.0f, volume / load.volume_m);
     const float* wanted = load.row(t.index / kReservoirColumns);
     for (int k = 0; k < stride_; k += 4) {
       for (int i = k; i < k + 4; ++i) {
@@ -132,15 +132,15 @@ void Reservoir::refill(const PaintLoad& load, const Tip& tip, float refill_frac)
 
 void Reservoir::drop_surplus(const PaintLoad& load, const Tip& tip, float frac) {
   if (!(surplus_ > 0)) return;
-  for (std::size_t n = 0; n < content_.size(); ++n) {
+  for (std::size_t n = 0; n < volume_.size(); ++n) {
     const TipTexel& t = tip.texels()[n];
-    const float content = content_[n];
-    if (!(content > load.content_m)) continue;
-    const float share = std::min(1.0f, frac * t.weight) * (content - load.content_m) / content;
+    const float volume = volume_[n];
+    if (!(volume > load.volume_m)) continue;
+    const float share = std::min(1.0f, frac * t.weight) * (volume - load.volume_m) / volume;
     float* paint = data_.data() + static_cast<std::ptrdiff_t>(t.index) * stride_;
     for (int k = 0; k < stride_; k += 4)
       for (int i = k; i < k + 4; ++i) paint[i] -= share * paint[i];
-    content_[n] = content - share * content;
+    volume_[n] = volume - share * volume;
   }
 }
 

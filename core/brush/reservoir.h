@@ -1,20 +1,22 @@
 #pragma once
-// What a brush holds: a texture of paint over the tip (R21, R22, R24), so that a stroke streaks.
-// Paint is a height of medium and an amount per channel, both per area of tip; its `content` counts
-// pigment as a height too, so that paint of any thinness can be measured against a full load.
-// The palette supplies it without end: laying a film does not empty it, lifted paint adds to it.
+// The reservoir: what a brush holds, as a texture of paint over the tip (R21, R22, R24), so that a
+// stroke has streaks. Paint is a height of medium and an amount of each channel, both per area of
+// tip. Its `volume` counts pigment as a height too, so that paint of any thinness can be measured
+// against a full load.
+// The palette supplies the reservoir without end: depositing a film does not empty it, and picked
+// up paint adds to it.
 
 #include <array>
 #include <span>
 #include <vector>
 
-#include "core/brush/footprint.h"
 #include "core/brush/paint_load.h"
 #include "core/brush/tip.h"
+#include "core/brush/tip_pose.h"
 
 namespace pentimento {
 
-/// out = w[0] a + w[1] b + w[2] c + w[3] d over `stride` floats, a whole number of fours.
+/// out = w[0] a + w[1] b + w[2] c + w[3] d for `stride` floats. `stride` is a multiple of 4.
 inline void blend_texels(const float* a, const float* b, const float* c, const float* d,
                          const std::array<float, 4>& w, int stride, float* out) {
   for (int k = 0; k < stride; k += 4)
@@ -25,46 +27,49 @@ class Reservoir {
  public:
   explicit Reservoir(int channels);
 
-  /// Every texel becomes the load.
+  /// Fills every texel with the load.
   void fill(const PaintLoad& load);
-  /// Nothing is in it.
+  /// Takes everything out.
   void empty();
-  /// Only the texels whose row is in [begin, end) do.
+  /// Fills only the texels in the rows [begin, end) with the load.
   void fill_rows(const PaintLoad& load, int begin, int end);
   /// Floats per texel: height, channels, padding of zeros.
   int stride() const { return stride_; }
   const float* texel(int index) const {
     return data_.data() + static_cast<std::ptrdiff_t>(index) * stride_;
   }
-  /// For writing: the brush no longer holds just what it was loaded with.
+  /// A texel for writing. From then on the brush no longer counts as holding just its load.
   float* dirty_texel(int index) {
     as_loaded_ = false;
     return data_.data() + static_cast<std::ptrdiff_t>(index) * stride_;
   }
-  /// Bilinear paint at (u, v) in tip coordinates, clamped at the edge; `out` has stride() floats.
+  /// The paint at (u, v) in tip coordinates, bilinear between texels and clamped at the edge. `out`
+  /// has stride() floats.
   void sample(float u, float v, float* out) const;
-  /// The same, to the bit, at the cells [first, first + n) of a row: `out` has n times stride()
-  /// floats.
+  /// The same bits as sample(), for the cells [first, first + n) of a row. `out` has n times
+  /// stride() floats.
   void sample_row(const TipRow& tip, int first, int n, float* out) const;
 
-  /// R22: each of the tip's texels goes the share `refill_frac` of the way to the load's paint, at
-  /// its own content if that is larger (the palette takes and gives alike). Measures the surplus.
+  /// R22: each of the tip's texels goes the share `refill_frac`, 0..1, of the way to the load's
+  /// paint. A texel with more volume than the load keeps its volume: the palette takes as much as
+  /// it gives. Measures the surplus.
   void refill(const PaintLoad& load, const Tip& tip, float refill_frac);
-  /// What was above the load's content at the last refill(), summed over texels with their weights.
+  /// The surplus at the last refill(): the volume above the load's, summed over the texels with
+  /// their weights, m.
   double weighted_surplus() const { return surplus_; }
-  /// Takes the share `frac` x weight of the surplus measured last from each texel, its composition
-  /// kept.
+  /// Takes from each texel the share `frac` x weight of its surplus at the last refill(). The
+  /// mixture of its paint stays.
   void drop_surplus(const PaintLoad& load, const Tip& tip, float frac);
 
   float density_frac = 1;    // R24: fluid left, 1 when full
-  float dry_ahead_frac = 1;  // share of dry canvas in what the stroke ran onto last
+  float dry_ahead_frac = 1;  // share of dry canvas where the stroke ran onto last
 
  private:
   int stride_;
-  bool as_loaded_ = false;  // nothing but fill() has touched it: a refill would change nothing
+  bool as_loaded_ = false;  // only fill() has changed it: a refill would do nothing
   double surplus_ = 0;
   std::vector<float> data_;
-  std::vector<float> content_;  // of the tip's texels, in their order, since the last refill
+  std::vector<float> volume_;  // of the tip's texels, in their order, since the last refill
 };
 
 }  // namespace pentimento

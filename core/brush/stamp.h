@@ -1,16 +1,18 @@
 #pragma once
-// One placement of a brush tip on the canvas (R21): what a stroke's path hands to the transfer.
+// A stamp: one placement of the tip on the canvas (R21). The stroke's path makes it, the transfer
+// does it.
 
+#include <algorithm>
 #include <cstdint>
 
-#include "core/vec.h"
+#include "core/base/vec.h"
 
 namespace pentimento {
 
 struct Stamp {
   double x_m = 0;  // centre on the canvas, from the top left, y down; may lie off the canvas
   double y_m = 0;
-  double time_s = 0;     // when on the stroke's path
+  double time_s = 0;     // in the time of the touch's samples
   float diameter_m = 0;  // > 0, of the unpressed brush
   float pressure = -1;   // 0..1; negative = the device has none
   float tilt_x_rad = 0;  // as W3C pointer events: positive = towards +x
@@ -22,5 +24,10 @@ struct Stamp {
   float travel_m = 0;    // arc length this stamp stands for, >= 0
   Vec2f velocity_m_s;    // of the brush, y down
 };
+
+/// 0..1; a device that has no pressure presses fully.
+inline float pressure_of(const Stamp& stamp) {
+  return stamp.pressure < 0 ? 1.0f : std::min(stamp.pressure, 1.0f);
+}
 
 }  // namespace pentimento

@@ -1,24 +1,24 @@
 #pragma once
-// One stamp, decided: all that is the same for every cell of it, and what happens in a cell as pure
-// functions of it. Nothing here depends on the size of a cell, so a second canvas of finer cells
-// does the same stamp with the same code: it asks for the tip at its own resolution
+// The plan of one stamp: all that is the same for every cell, and what happens in a cell as pure
+// functions of the plan. The functions do not depend on the size of a cell, so a second canvas of
+// finer cells does the same stamp with the same code: it asks for the tip at its own resolution
 // (stamp_tip_level) and computes boxes and rows from the pose with its own geometry.
 
 #include <algorithm>
 #include <cstdint>
 
-#include "core/brush/footprint.h"
 #include "core/brush/reservoir.h"
 #include "core/brush/stamp.h"
 #include "core/brush/tip.h"
-#include "core/canvas_state.h"
-#include "core/layers/lay_paint.h"
-#include "core/layers/lift.h"
+#include "core/brush/tip_pose.h"
+#include "core/canvas/canvas_state.h"
+#include "core/layers/deposit.h"
 #include "core/layers/mix_layers.h"
+#include "core/layers/pick_up.h"
 
 namespace pentimento {
 
-/// Plain values and references, valid while the stamp is done.
+/// Plain values and pointers, valid while the stamp is done.
 struct StampPlan {
   Stamp stamp;
   const Tip* tip = nullptr;
@@ -26,56 +26,58 @@ struct StampPlan {
   const Reservoir* reservoir = nullptr;
   TipPose pose;
   TipExtent extent;
-  CellBox box;     // of the canvas that the stamp was planned on
-  int stride = 4;  // floats of paint per cell: height, channels, padding
-  TipState state;  // of the tip
-  float mean = 1;  // of the tip, pressed as it is, > 0
+  FootprintBox box;  // of the canvas that the stamp was planned on
+  int stride = 4;    // floats of paint per cell: height, channels, padding
+  TipState state;    // of the tip
+  float mean = 1;    // mean value of the tip as it is pressed, > 0
   float dry_m = 0;
   std::uint32_t stroke_id = 0;
-  Lift lift;
+  PickUp pick_up;
   MixLayers mix;
-  LayPaint lay;
-  float film_rate = 0;    // share of the reservoir's height laid where the tip's value is 1
+  Deposit deposit;
+  float film_rate = 0;    // share of the reservoir's volume deposited where the tip's value is 1
   float return_frac = 0;  // share of the surplus that goes back where the tip touches fully
-  float level_per_m = 0;  // contact levelling: deposit changes by this per metre above the mean
+  float level_per_m = 0;  // contact levelling: the deposit falls by this per metre above the mean
   double mean_height_m = 0;
-  float catch_per_m = 0;      // dry brush: how sharply deposit ends below the heights it reaches...
-  float catch_offset = 1;     // ...and its share at the mean height; 0 per metre: it reaches all
-  float pickup_frac = 0;      // share lifted by the hairs' grip; in `lift` too, unless scraping
-  float scrape_frac = 0;      // share taken of what stands above...
-  float scrape_height_m = 0;  // ...this, by a blade
-  float share_scale = 1;      // keeps the total that levelling redistributes
+  float catch_per_m = 0;   // dry brush: how sharply the deposit ends below the heights it reaches,
+  float catch_offset = 1;  // and where that is at the mean height; 0 per metre: it reaches all
+  float pickup_frac = 0;   // share that bristles pick up; as in `pick_up`, unless it scrapes
+  float scrape_frac = 0;   // a blade takes this share of the wet paint above ...
+  float scrape_height_m = 0;  // ... this height
+  float share_scale = 1;      // keeps the total, which levelling only redistributes
   float push_m = 0;
 };
 
-/// The tip as cells of `cell_m` (the root of their area) see it.
+/// The tip as cells of the size `cell_m` (the root of their area) see it.
 inline TipLevel stamp_tip_level(const StampPlan& plan, float cell_m) {
   return plan.tip->level_for(cell_m / plan.pose.diameter_m, plan.state);
 }
 
-/// How hard the hairs hold the paint at v where the tip's value is `value`, in [0,2]; `grip`: the
-/// tip's.
-inline float stamp_touch(const StampPlan& plan, const HairTable& grip, float value, float v) {
+/// The hold of the bristles, in [0,2], at v in tip coordinates, where the tip's value is `value`.
+/// `grip`: Tip::grip_table().
+inline float stamp_hold(const StampPlan& plan, const BristleTable& grip, float value, float v) {
   return std::min(1.0f, value / plan.mean) * grip.at(v);
 }
 
 struct CellHeight {
   float depth_m = 0;    // of the wet paint
-  float surface_m = 0;  // its surface
+  float surface_m = 0;  // height of its surface, b + d
 };
 
-/// Share of the weight that lift_row() takes (with plan.lift) where the tip's hairs hold with
-/// `touch`: theirs, or, under a blade, what stands above its edge. `end`: Tip::end_table().
-inline float stamp_lift_weight(const StampPlan& plan, float touch, float end,
-                               const CellHeight& cell) {
-  if (!(plan.scrape_frac > 0)) return touch;
+/// The weight that pick_up_row() takes, with plan.pick_up, where the bristles hold with `hold`. For
+/// bristles it is `hold`; for a blade it follows from what stands above the blade's edge. `end`:
+/// Tip::end_table() at the cell.
+inline float stamp_pick_up_weight(const StampPlan& plan, float hold, float end,
+                                  const CellHeight& cell) {
+  if (!(plan.scrape_frac > 0)) return hold;
   const float above = std::clamp(cell.surface_m - plan.scrape_height_m, 0.0f, cell.depth_m);
   const float scraped = cell.depth_m > 0 ? plan.scrape_frac * (above / cell.depth_m) : 0.0f;
-  return std::max(plan.pickup_frac * touch, std::min(touch, 1.0f) * scraped * (1 - end));
+  return std::max(plan.pickup_frac * hold, std::min(hold, 1.0f) * scraped * (1 - end));
 }
 
-/// Contact levelling (A22): less on bumps and more in hollows, in [0,2]. A blade fills up to its
-/// edge, over some 0.15 mm, but for its ends.
+/// Contact levelling (A22): the factor on the deposit at a height, in [0,2]; less on bumps and more
+/// in hollows. A blade fills up to its edge: the factor falls to 0 over the last 0.15 mm, except at
+/// the ends of the blade.
 inline float stamp_level_factor(const StampPlan& plan, float end, float height_m) {
   const float above = height_m - static_cast<float>(plan.mean_height_m);
   const float level = std::clamp(1 - plan.level_per_m * above, 0.0f, 2.0f);
@@ -85,7 +87,8 @@ inline float stamp_level_factor(const StampPlan& plan, float end, float height_m
   return room + end * (level - room);
 }
 
-/// Dry brush: 1 where the hairs reach down to `height_m`, 0 where they pass over it.
+/// Dry brush: 1 where the bristles reach down to `height_m`, 0 where they pass over it, smooth
+/// between.
 inline float stamp_caught(const StampPlan& plan, float height_m) {
   if (plan.catch_per_m == 0) return 1;
   const float above = height_m - static_cast<float>(plan.mean_height_m);
@@ -93,29 +96,31 @@ inline float stamp_caught(const StampPlan& plan, float height_m) {
   return t * t * (3 - 2 * t);
 }
 
-/// The value where the canvas is `height_m` high, levelled and caught, before `share_scale`.
+/// The tip's value where the canvas is `height_m` high, times both factors above, without
+/// `share_scale`.
 inline float stamp_levelled(const StampPlan& plan, float value, float end, float height_m) {
   return value * stamp_level_factor(plan, end, height_m) * stamp_caught(plan, height_m);
 }
 
-/// Content laid at a cell, of the paint that the reservoir holds over it.
-struct LaidContent {
-  float part = 0;      // of the sampled paint
+/// What a cell gets of the paint that the reservoir holds over it.
+struct DepositedVolume {
+  float part = 0;      // share of the sampled paint that is deposited
   float returned = 0;  // of the surplus
 };
-/// The film of the palette's paint and the share of what the brush holds beyond its load.
-/// `content`: PaintLoad::content_of() the reservoir's sample at the cell; `value`: the tip's;
-/// `share`: levelled and scaled, > 0.
-inline LaidContent stamp_laid(const StampPlan& plan, float content, float value, float share) {
-  const float load_m = plan.load->content_m;
-  const float surplus = std::max(0.0f, content - load_m);
+/// A cell gets a film of paint, and a part of the surplus. `volume`: PaintLoad::volume_of() of the
+/// reservoir's sample at the cell, m. `value`: the tip's value. `share`: stamp_levelled() times
+/// `share_scale`, > 0.
+inline DepositedVolume stamp_deposited(const StampPlan& plan, float volume, float value,
+                                       float share) {
+  const float load_m = plan.load->volume_m;
+  const float surplus = std::max(0.0f, volume - load_m);
   const float back = plan.return_frac * share * surplus / std::max(value, plan.mean);
-  const float film = plan.film_rate * share * std::min(content, load_m);
-  return {content > 0 ? (film + back) / content : 0.0f, back};
+  const float film = plan.film_rate * share * std::min(volume, load_m);
+  return {volume > 0 ? (film + back) / volume : 0.0f, back};
 }
 
-/// Push at (u, v), in metres along the stroke's direction: alpha ds e(r), which fades from 1.5 in
-/// the middle of the tip to 0 at its edge, e = 1.5 (1 - r^2)^2.
+/// The push at (u, v) in tip coordinates, in metres along the stroke's direction: alpha ds e(r). e
+/// = 1.5 (1 - r^2)^2 falls from 1.5 in the middle of the tip to 0 at its edge.
 inline float stamp_push_m(const StampPlan& plan, float u, float v) {
   const float x = u * (2 / plan.extent.u), y = v * (2 / plan.extent.v);
   const float inside = 1 - (x * x + y * y);

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/check.h"
+#include "core/base/check.h"
 
 namespace pentimento {
 
 namespace {
 constexpr double kPauseFrac = 1e-4;    // of the diameter: smaller moves are the hand's tremble
-constexpr double kTapFrac = 0.5;       // of the diameter: what the shortest touch lays
+constexpr double kTapFrac = 0.5;       // of the diameter: a tap deposits as much
 constexpr double kHeadingFrac = 0.25;  // of the diameter: length over which a tip turns
 constexpr double kChordsPerStamp = 4;  // a chord's sagitta is then far below a cell
 constexpr int kMinChords = 4;
@@ -39,7 +39,7 @@ float mix_angle(float a, float b, float u) {
   return a + turn * u;
 }
 
-/// What is interpolated along a segment (all but the place).
+/// Interpolates a sample along a segment: all of it but the place.
 Stamp stamp_between(const TouchSample& from, const TouchSample& to, double at) {
   const float u = static_cast<float>(at);
   Stamp s;
@@ -178,8 +178,8 @@ void StrokePath::run(const Segment& segment, std::vector<Stamp>& out) {
   final_until_s_ = segment.to.time_s;
 }
 
-/// Places the stamps of one straight piece. The part that the tip cannot reach the canvas from is
-/// stepped over at once, so that a jump across the room costs no more than one across the canvas.
+/// Places the stamps of one straight piece. The part from which the tip cannot reach the canvas is
+/// skipped at once, so a jump far outside costs no more than one across the canvas.
 void StrokePath::run_chord(const Segment& segment, double u0, double u1, const Point& a,
                            const Point& b, std::vector<Stamp>& out) {
   const Point d{b.x - a.x, b.y - a.y};

@@ -1,12 +1,12 @@
 #pragma once
-// The path of one touch as a stream: samples of the device go in, evenly spaced stamps come out.
+// The path of one touch as a stream: the device's samples go in, evenly spaced stamps come out.
 //   Curve: centripetal Catmull-Rom through the samples, t_{i+1} = t_i + |p_{i+1} - p_i|^(1/2),
 //   which neither loops nor overshoots between uneven samples (Yuksel, Schaefer, Keyser, CAD 43,
 //   2011); the ends are continued by reflection. Stamps: one each time the arc length grows by
 //   `spacing` diameters; what is left over is carried from sample to sample, so that the stamps do
 //   not depend on the device's rate.
-// A segment is final once the sample after its end is known: stamps come one sample late.
-// Only + - * / sqrt: the stamps are the same bits everywhere. Not thread-safe.
+// A segment is final once the sample after its end is known, so stamps come one sample late. The
+// code uses only + - * / and sqrt, so the stamps are the same bits everywhere. Not thread-safe.
 
 #include <vector>
 
@@ -14,7 +14,7 @@
 
 namespace pentimento {
 
-/// What the device said at one moment, in the frame of Stamp.
+/// What the device measured at one moment, in the frame of Stamp.
 struct TouchSample {
   double x_m = 0;
   double y_m = 0;
@@ -28,23 +28,23 @@ struct TouchSample {
 
 class StrokePath {
  public:
-  /// Stamps whose tip cannot reach the canvas of width_m x height_m are left out, however long the
-  /// way outside. `spacing_frac` > 0, in diameters.
+  /// `spacing_frac`: way from stamp to stamp in diameters, > 0. Stamps whose tip cannot reach the
+  /// canvas of width_m x height_m are left out, so a long way outside costs nothing.
   StrokePath(double spacing_frac, double width_m, double height_m);
 
-  /// From the next segment on.
+  /// Changes the spacing from the next segment on.
   void set_spacing(double spacing_frac);
 
-  /// The touch goes down.
+  /// The touch goes down at this sample.
   void begin(const TouchSample& device_sample);
-  /// It moves; the stamps that are final now are appended to `out`. A move of less than 1e-4
+  /// The touch moves. Appends to `out` the stamps that are final now. A move of less than 1e-4
   /// diameters is a pause: it changes pressure, tilt and time, not the path.
   void add(const TouchSample& device_sample, std::vector<Stamp>& out);
-  /// It lifts; the rest of the stamps. A stroke shorter than half a diameter, a tap above all, is
-  /// completed to the paint of half a diameter in its last stamp.
+  /// The touch lifts. Appends the rest of the stamps to `out`. If the stroke was shorter than half
+  /// a diameter, as a tap is, its last stamp deposits as much as half a diameter would.
   void finish(std::vector<Stamp>& out);
 
-  /// All stamps before this time have come out.
+  /// All stamps before this time have come out, s.
   double final_until_s() const { return final_until_s_; }
 
  private:
@@ -54,7 +54,8 @@ class StrokePath {
   struct Point {
     double x = 0, y = 0;
   };
-  /// Start to end: the cubic's position is start + u (m0 + u (c2 + u c3)), u in [0,1].
+  /// A piece of the path between two samples: position = start + u (m0 + u (c2 + u c3)), u in
+  /// [0,1].
   struct Segment {
     TouchSample from, to;
     Point m0, c2, c3;
@@ -77,7 +78,7 @@ class StrokePath {
   double spacing_frac_;
   double width_m_;
   double height_m_;
-  int knots_ = 0;        // how many of the three below are set, the newest last
+  int knots_ = 0;        // how many of knot_ are set, the newest last
   Knot knot_[3];         // before the pending segment, its start, its end
   double progress_ = 0;  // towards the next stamp, [0,1)
   double travel_m_ = 0;  // since the last stamp

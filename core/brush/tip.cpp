@@ -8,10 +8,10 @@
 namespace pentimento {
 
 namespace {
-constexpr int kMasterSize = 256;  // a tip of 30 mm has texels of 0.12 mm, a hair's width
-constexpr int kPresses = 5;       // drawings from the lightest touch to all hairs down
+constexpr int kMasterSize = 256;  // a tip of 30 mm has texels of 0.12 mm, a bristle's width
+constexpr int kPresses = 5;       // drawings from the lightest touch to all bristles down
 constexpr int kDrynesses = 8;
-constexpr float kWetFrac = 0.8f;                       // from here on all hairs give alike
+constexpr float kWetFrac = 0.8f;                       // from here on all bristles give alike
 constexpr float kEndsFrom = 0.65f, kEndsPerValue = 5;  // a tip's ends: values of 0.65 to 0.85
 
 /// FNV-1a of the name.
@@ -24,11 +24,12 @@ std::uint64_t seed_of(const std::string& name) {
   return hash;
 }
 
-/// Which two of `count` evenly spaced things in [0,1] are around `at`, and how far it is between.
-struct Place {
+/// Which two of `count` evenly spaced points in [0,1] lie around `at`, and where `at` lies between
+/// them.
+struct TexelPlace {
   std::size_t low = 0, high = 0;
   float frac = 0;
-  Place(float at, std::size_t count) {
+  TexelPlace(float at, std::size_t count) {
     const float x = std::clamp(at, 0.0f, 1.0f) * static_cast<float>(count - 1);
     low = std::min(static_cast<std::size_t>(x), count - 1);
     high = std::min(low + 1, count - 1);
@@ -45,7 +46,7 @@ TipMap::TipMap(const Field<float>& map)
 Tip::Tip(const BrushDefinition& brush) {
   const std::uint64_t seed = seed_of(brush.name);
   Field<float> widest(kMasterSize, kMasterSize);
-  const int presses = has_hairs(brush) ? kPresses : 1;
+  const int presses = has_bristles(brush) ? kPresses : 1;
   for (int i = 0; i < presses; ++i) {
     const float press = presses == 1 ? 1 : static_cast<float>(i) / static_cast<float>(presses - 1);
     const Field<float> master = draw_tip(brush, kMasterSize, seed, press);
@@ -87,15 +88,15 @@ void Tip::find_extent(const Field<float>& widest) {
 }
 
 void Tip::fill_tables(const BrushDefinition& brush, std::uint64_t seed) {
-  for (int i = 0; i <= HairTable::kSteps; ++i)
-    grip_[i] = hair_grip(brush, 2 * HairTable::at_step(i), seed);
-  if (!has_hairs(brush)) return;
+  for (int i = 0; i <= BristleTable::kSteps; ++i)
+    grip_[i] = bristle_grip(brush, 2 * BristleTable::at_step(i), seed);
+  if (!has_bristles(brush)) return;
   for (int d = 0; d < kDrynesses; ++d) {
-    HairTable table;
+    BristleTable table;
     const float density = kWetFrac * static_cast<float>(d) / (kDrynesses - 1);
-    for (int i = 0; i <= HairTable::kSteps; ++i)
-      table[i] = hair_gives(2 * HairTable::at_step(i), density, seed);
-    gives_.push_back(table);
+    for (int i = 0; i <= BristleTable::kSteps; ++i)
+      table[i] = bristle_supply(2 * BristleTable::at_step(i), density, seed);
+    supply_.push_back(table);
   }
 }
 
@@ -104,8 +105,8 @@ void Tip::fill_ends(const Field<float>& widest) {
   for (int y = 0; y < kMasterSize; ++y)
     for (const float value : widest.view().row_span(y))
       most[static_cast<std::size_t>(y)] = std::max(most[static_cast<std::size_t>(y)], value);
-  for (int i = 0; i <= HairTable::kSteps; ++i) {
-    const float row = (HairTable::at_step(i) + 0.5f) * kMasterSize - 0.5f;
+  for (int i = 0; i <= BristleTable::kSteps; ++i) {
+    const float row = (BristleTable::at_step(i) + 0.5f) * kMasterSize - 0.5f;
     const float at = std::clamp(row, 0.0f, kMasterSize - 1.001f);
     const std::size_t low = static_cast<std::size_t>(at);
     const float value = most[low] + (at - static_cast<float>(low)) * (most[low + 1] - most[low]);
@@ -134,7 +135,7 @@ void Tip::list_texels(const Field<float>& map) {
 }
 
 float Tip::mean(float press) const {
-  const Place at(press, presses_.size());
+  const TexelPlace at(press, presses_.size());
   const float low = presses_[at.low].mean;
   return low + at.frac * (presses_[at.high].mean - low);
 }
@@ -142,7 +143,7 @@ float Tip::mean(float press) const {
 TipLevel Tip::level_for(float cell_frac, const TipState& state) const {
   // Half-octave steps: the next coarser map is nearer once a texel is 2^(1/4) too fine.
   constexpr float kHalfStep = 1.18920712f;
-  const Place at(state.press, presses_.size());
+  const TexelPlace at(state.press, presses_.size());
   const std::vector<TipMap>& maps = presses_[at.low].maps;
   std::size_t size = 0;
   while (size + 1 < maps.size() && cell_frac * static_cast<float>(maps[size].size()) > kHalfStep)
@@ -151,11 +152,11 @@ TipLevel Tip::level_for(float cell_frac, const TipState& state) const {
   level.low = &maps[size];
   level.high = &presses_[at.high].maps[size];
   level.frac = at.frac;
-  if (state.density_frac >= kWetFrac || gives_.empty()) return level;
-  const Place dry(state.density_frac / kWetFrac, gives_.size());
-  level.gives_low = &gives_[dry.low];
-  level.gives_high = &gives_[dry.high];
-  level.gives_frac = dry.frac;
+  if (state.density_frac >= kWetFrac || supply_.empty()) return level;
+  const TexelPlace dry(state.density_frac / kWetFrac, supply_.size());
+  level.supply_low = &supply_[dry.low];
+  level.supply_high = &supply_[dry.high];
+  level.supply_frac = dry.frac;
   return level;
 }
 

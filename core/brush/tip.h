@@ -1,28 +1,29 @@
 #pragma once
-// A brush tip ready to be stamped: its map at many resolutions, so that a cell of any size gets the
-// mean of the tip over about its own area, and pressed down by several amounts, between which it is
-// blended. Immutable once made; safe to read from threads.
+// A tip ready to be stamped. It has its map at many resolutions, so that a cell of any size gets
+// the mean of the tip over about its own area. It has maps for several amounts of press and blends
+// between them. Immutable once made; safe to read from several threads.
 
 #include <algorithm>
 #include <array>
 #include <vector>
 
+#include "core/base/field.h"
 #include "core/brush/brush_settings.h"
 #include "core/brush/paint_load.h"
 #include "core/brush/tip_shapes.h"
-#include "core/field.h"
 
 namespace pentimento {
 
-/// One resolution of a tip, with a rim of zeros so that it fades out beyond its edge.
+/// The map of a tip at one resolution, with a rim of zeros, so that the tip fades out beyond its
+/// edge.
 class TipMap {
  public:
   explicit TipMap(const Field<float>& map);
   int size() const { return size_; }
-  /// Row j - 1 of the map with its rim, size() + 2 values; j in [0, size() + 1].
+  /// Row j - 1 of the map with its rim: size() + 2 values. j in [0, size() + 1].
   const float* padded_row(int j) const { return padded_.row(j); }
-  /// Bilinear value at (u, v) in tip diameters from the centre, `frac` of the way from `a` to `b`,
-  /// which have the same size; 0 outside the tip.
+  /// Bilinear value at (u, v), in tip diameters from the centre, of a map that lies the share
+  /// `frac` of the way from `a` to `b`. Both have the same size. 0 outside the tip.
   static float between(const TipMap& a, const TipMap& b, float frac, float u, float v) {
     const float x = (u + 0.5f) * static_cast<float>(a.size_) + 0.5f;
     const float y = (v + 0.5f) * static_cast<float>(a.size_) + 0.5f;
@@ -47,14 +48,14 @@ class TipMap {
   Field<float> padded_;
 };
 
-/// What is even along the stroke and differs across it, as a table over v.
-class HairTable {
+/// A table over v, for a quantity that differs across the stroke and not along it.
+class BristleTable {
  public:
   float& operator[](int i) { return value_[static_cast<std::size_t>(i)]; }
   static constexpr int kSteps = 128;
-  /// v in tip coordinates that step i stands for.
+  /// The v, in tip coordinates, that step i stands for.
   static float at_step(int i) { return static_cast<float>(i) / kSteps - 0.5f; }
-  /// Linear between the steps.
+  /// Value at v, linear between the steps.
   float at(float v) const {
     const float x = std::clamp((v + 0.5f) * kSteps, 0.0f, kSteps - 0.001f);
     const std::size_t i = static_cast<std::size_t>(x);
@@ -67,29 +68,30 @@ class HairTable {
 
 /// How a tip is held at a stamp.
 struct TipState {
-  float press = 1;         // how far the hairs are pressed down, 0..1
-  float density_frac = 1;  // of the brush's fluid: below about 0.8 hairs run dry, one by one
+  float press = 1;         // how far the bristles are pressed down, 0..1
+  float density_frac = 1;  // fluid left; below about 0.8 bristles run dry, one by one
 };
 
 /// A tip at one resolution in one state.
 struct TipLevel {
   const TipMap* low = nullptr;
   const TipMap* high = nullptr;
-  float frac = 0;                        // of the way from low to high
-  const HairTable* gives_low = nullptr;  // nullptr: all hairs are wet
-  const HairTable* gives_high = nullptr;
-  float gives_frac = 0;
+  float frac = 0;                            // share of the way from low to high
+  const BristleTable* supply_low = nullptr;  // nullptr: all bristles are wet
+  const BristleTable* supply_high = nullptr;
+  float supply_frac = 0;
 
   /// Value at (u, v) in tip diameters from the centre, in [0,1].
   float at(float u, float v) const {
     const float value = TipMap::between(*low, *high, frac, u, v);
-    if (gives_low == nullptr || value == 0) return value;
-    const float few = gives_low->at(v);
-    return value * (few + gives_frac * (gives_high->at(v) - few));
+    if (supply_low == nullptr || value == 0) return value;
+    const float few = supply_low->at(v);
+    return value * (few + supply_frac * (supply_high->at(v) - few));
   }
 };
 
-/// A texel of the reservoir that takes part: where, and how strongly the tip touches there.
+/// A texel of the reservoir that the tip uses: where it lies, and how strongly the tip touches
+/// there.
 struct TipTexel {
   int index = 0;       // row (v) times kReservoirColumns plus column (u)
   float u = 0, v = 0;  // its centre in tip coordinates
@@ -98,26 +100,29 @@ struct TipTexel {
 
 class Tip {
  public:
-  /// Draws the brush's tip. The hairs are the name's: the same name, the same hairs.
+  /// Draws the brush's tip. The bristles follow from the brush's name: the same name gives the same
+  /// bristles.
   explicit Tip(const BrushDefinition& brush);
 
-  /// The resolution whose texels are nearest in size to a cell of `cell_frac` tip diameters, > 0.
+  /// The tip at the resolution whose texels are nearest in size to a cell of `cell_frac` tip
+  /// diameters, > 0.
   TipLevel level_for(float cell_frac, const TipState& state = {}) const;
-  /// Mean value over the tip's square, in [0,1], of wet hairs.
+  /// Mean value over the tip's square, in [0,1], if all bristles are wet. `press` in [0,1].
   float mean(float press = 1) const;
   TipExtent extent() const { return extent_; }
-  /// How strongly the hairs at v (tip coordinates) take hold: hair_grip(), interpolated.
-  const HairTable& grip_table() const { return grip_; }
-  /// How far a place at v is under the ends of the tip, where a blade lets paint pass: 0 where its
-  /// value stays below 0.65, 1 from 0.85 on. Of v alone: it does not change along the stroke.
-  const HairTable& end_table() const { return ends_; }
-  /// The reservoir's texels that the tip covers, and those that touch them.
+  /// The grip at v in tip coordinates: bristle_grip(), interpolated.
+  const BristleTable& grip_table() const { return grip_; }
+  /// How far v lies under the ends of the tip, where a blade lets paint pass. 0 where the tip's
+  /// value stays below 0.65, 1 where it reaches 0.85. It depends on v alone, so it does not change
+  /// along the stroke.
+  const BristleTable& end_table() const { return ends_; }
+  /// The reservoir's texels that the tip covers, and the texels next to those.
   const std::vector<TipTexel>& texels() const { return texels_; }
-  /// 1 for those, 0 for the others.
+  /// 1 for the texels in texels(), 0 for the others.
   float covered(int texel) const { return covered_[static_cast<std::size_t>(texel)]; }
 
  private:
-  /// One amount of pressing: finest map first, half an octave apart.
+  /// The maps of one amount of press: the finest first, half an octave apart.
   struct Press {
     std::vector<TipMap> maps;
     float mean = 0;
@@ -128,12 +133,12 @@ class Tip {
   void fill_tables(const BrushDefinition& brush, std::uint64_t seed);
   void fill_ends(const Field<float>& widest);
 
-  std::vector<Press> presses_;  // evenly from 0 to 1; one alone is all of them
+  std::vector<Press> presses_;  // evenly from press 0 to 1; a single one stands for all
   TipExtent extent_;
   std::vector<TipTexel> texels_;
   std::array<float, kReservoirTexels> covered_{};
-  HairTable grip_, ends_;
-  std::vector<HairTable> gives_;  // evenly from dry to kWetFrac; empty: no hairs
+  BristleTable grip_, ends_;
+  std::vector<BristleTable> supply_;  // evenly from dry to kWetFrac; empty: no bristles
 };
 
 }  // namespace pentimento

@@ -1,5 +1,5 @@
 #pragma once
-// Tips that have been drawn, kept for when their brush is taken up again. Not thread-safe.
+// Tips that have been drawn are kept here until their brush is used again. Not thread-safe.
 
 #include <memory>
 #include <vector>
@@ -10,7 +10,8 @@ namespace pentimento {
 
 class TipRack {
  public:
-  /// The tip of a brush. A texture is told apart by the brush's name.
+  /// The tip of a brush, drawn if it is not there yet. Two brushes with the same name count as
+  /// having the same texture.
   std::shared_ptr<const Tip> find(const BrushDefinition& brush);
 
  private:

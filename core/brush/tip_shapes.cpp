@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/brush/hairs.h"
 #include "core/brush/noise.h"
 #include "core/brush/resample.h"
+#include "core/brush/tuft.h"
 
 namespace pentimento {
 
@@ -30,7 +30,7 @@ float rag_value(float u, float v, std::uint64_t seed) {
   return inside * (0.25f + 0.75f * smooth_step(0.3f, 0.65f, fold));
 }
 
-/// A shape without hairs, sampled 2 x 2 times per texel.
+/// A shape without bristles, sampled 2 x 2 times per texel.
 Field<float> draw_plain(TipShape shape, int size, std::uint64_t seed) {
   Field<float> map(size, size);
   constexpr int kSamples = 2;
@@ -53,18 +53,18 @@ Field<float> draw_plain(TipShape shape, int size, std::uint64_t seed) {
 }
 }  // namespace
 
-bool has_hairs(const BrushDefinition& brush) {
+bool has_bristles(const BrushDefinition& brush) {
   return brush.bristles.count > 0;
 }
 
 Field<float> draw_tip(const BrushDefinition& brush, int size, std::uint64_t seed, float press) {
-  if (!has_hairs(brush)) {
+  if (!has_bristles(brush)) {
     return brush.shape == TipShape::kTexture ? resample_area(brush.texture, size, size)
                                              : draw_plain(brush.shape, size, seed);
   }
-  HairBundle bundle = bundle_of(brush.shape);
-  bundle.bristles = brush.bristles;
-  Field<float> map = draw_hairs(bundle, make_hairs(bundle, seed), press, size);
+  Tuft tuft = tuft_of(brush.shape);
+  tuft.bristles = brush.bristles;
+  Field<float> map = draw_tuft(tuft, make_bristles(tuft, seed), press, size);
   if (brush.shape != TipShape::kTexture) return map;
   const Field<float> light = resample_area(brush.texture, size, size);
   for (int y = 0; y < size; ++y)
@@ -72,14 +72,14 @@ Field<float> draw_tip(const BrushDefinition& brush, int size, std::uint64_t seed
   return map;
 }
 
-float hair_grip(const BrushDefinition& brush, float v, std::uint64_t seed) {
-  if (!has_hairs(brush)) return 1;
+float bristle_grip(const BrushDefinition& brush, float v, std::uint64_t seed) {
+  if (!has_bristles(brush)) return 1;
   const float wave = 0.65f * tip_noise(v * 7, seed, 4) + 0.35f * tip_noise(v * 19, seed, 5);
-  // Hairs hold on or slide, with little between.
+  // Bristles hold on or slide, with little between.
   return 1 + brush.grip * (2 * smooth_step(0.2f, 0.8f, wave) - 1);
 }
 
-float hair_gives(float v, float density_frac, std::uint64_t seed) {
+float bristle_supply(float v, float density_frac, std::uint64_t seed) {
   const float wave = 0.5f * tip_noise(v * 9, seed, 6) + 0.5f * tip_noise(v * 23, seed, 7);
   const float small = smooth_step(0.2f, 0.8f, wave);  // holds little: runs dry early
   return std::clamp((density_frac - 0.6f * small) * 4 + 0.2f, 0.0f, 1.0f);

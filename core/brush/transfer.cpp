@@ -3,53 +3,68 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/math/approx.h"
+#include "core/brush/stamp_shares.h"
 
 namespace pentimento {
 
 namespace {
-constexpr float kSmallestCells = 1.5f;    // diameter of the smallest tip a grid can show
-constexpr float kRefillDiameters = 0.1f;  // R22: distance that the refill share is of
-constexpr float kDryFrac = 1e-3f;         // of max_medium: thinner is dry canvas (A21)
-constexpr float kWeaveReach_m = 3e-4f;    // of a linen's relief: levels beside the film's own
-constexpr float kCarries_m = 6e-4f;       // wet paint less deep than that holds hairs up
-constexpr float kLeastRelief_m = 2e-5f;   // a smooth ground catches a dry brush evenly
-constexpr float kDryFilm = 0.7f;          // fluid below which hairs dry rather than thin out
-constexpr float kSlowing_per_s = 120;     // at so many diameters a second, half as deep
-constexpr float kBladeThickness = 0.14f;  // of the diameter: how long a blade is over a place
-constexpr float kBladeRide_m = 1.5e-4f;   // half a weave: a blade rides on the bumps
-constexpr float kBladeLift_m = 2e-3f;     // the blade's edge without pressure, above that
-constexpr float kMostSqueezed = 1.5f;     // of a blade's film, where there is room
+// Without another reason, these were chosen by what strokes look like (docs/brushes.md shows them).
+
+constexpr float kDryFrac = 1e-3f;       // of max_medium: thinner is dry canvas (A21)
+constexpr float kWeaveReach_m = 3e-4f;  // of a linen's relief: levels beside the film's own
+constexpr float kDryFilm = 0.7f;        // fluid below which bristles dry rather than thin out
+constexpr float kSlowing_per_s = 120;   // at so many diameters a second, half as deep
+constexpr float kSoftestReach = 0.5f;   // R23: at full pressure, of the film; the stiffer, the more
+constexpr float kLevelsPerFluid = 2;    // a full brush levels wholly, one half dry no more
+constexpr float kBladeRide_m = 1.5e-4f;     // half a weave: a blade rides on the bumps
+constexpr float kBladeClearance_m = 2e-3f;  // the blade's edge without pressure, above that
+constexpr float kMostSqueezed = 1.5f;       // of a blade's film, where there is room
+
+// How firmly bristles stand on the canvas, 1 for a full brush of middling bristle. From 0.41 of the
+// pressure on they stand as firmly as they can: real hands are light, and still cover.
+constexpr float kContactUnpressed = 0.3f, kContactPerPressure = 1.7f;
+constexpr float kSoftestContact = 1.25f;   // times that; soft bristle gives way into hollows...
+constexpr float kStiffnessContact = 0.5f;  // ...and so much less of it the stiffest
+// How deep they reach below the mean height, in standard deviations of the heights under the tip:
+// everywhere at a contact of 0.8; at 0.24 they touch the higher half.
+constexpr float kReachPerContact = 5, kReachUnpressed = -1.2f;
+constexpr float kReachesAll = 2.8f;
+constexpr float kCarries_m = 6e-4f;      // wet paint less deep than that holds bristles up
+constexpr float kLeastRelief_m = 2e-5f;  // a smooth ground catches a dry brush evenly
+
 constexpr int kRowsPerTask = 8;
 constexpr int kCellsWorthThreads = 3000;  // some 0.2 ms of work; handing out rows costs 10 us
 
-/// 1 for a slow stroke; a fast one passes over what is below.
+/// 1 for a slow stroke, more for a fast one, which passes over the hollows.
 float speed_factor(const Stamp& stamp) {
   const Vec2f v = stamp.velocity_m_s;
   return 1 + std::sqrt(v.x * v.x + v.y * v.y) / (kSlowing_per_s * stamp.diameter_m);
 }
 
-/// What is left of the film as the brush dries: hairs that still give do not give much less.
+/// Share of the film that the brush still deposits as it dries. Below kDryFilm it falls slowly, for
+/// bristles that still give paint do not give much less.
 float wet_film(float density_frac) {
   if (density_frac >= kDryFilm) return density_frac;
   return kDryFilm * std::sqrt(density_frac / kDryFilm);
 }
 
-/// 1 - (1 - frac)^lengths: a share per length, over another distance.
-float share_over(float frac, double lengths) {
-  const double kept = 1 - static_cast<double>(std::clamp(frac, 0.0f, 1.0f));
-  return static_cast<float>(1 - approx::pow(kept, lengths));
+/// How well a brush levels what it lays: one that runs dry passes over the hollows.
+float levelling(float density_frac) {
+  return std::max(0.0f, kLevelsPerFluid * density_frac - 1);
+}
+
+float stiffness_of(const BrushInHand& hand) {
+  return hand.brush.stiffness < 0 ? hand.settings.stiffness : hand.brush.stiffness;
+}
+
+/// How deep the bristles reach below the mean height, in deviations of the heights under the tip.
+float reach_of(const StampPlan& plan, float pressure, float stiffness) {
+  const float contact =
+      plan.state.density_frac * std::min(1.0f, kContactUnpressed + kContactPerPressure * pressure) *
+      (kSoftestContact - kStiffnessContact * stiffness) / speed_factor(plan.stamp);
+  return kReachPerContact * contact + kReachUnpressed;
 }
 }  // namespace
-
-PaintLoad make_load(const Model& model, const BrushSettings& settings,
-                    std::span<const float> per_amount, std::span<const float> amount) {
-  std::vector<float> paint = {kFilmsHeld * model.film_medium_m * settings.medium_frac};
-  for (const float channel : per_amount)
-    paint.push_back(kFilmsHeld * model.film_pigment * settings.pigment_frac * model.max_pigment *
-                    channel);
-  return {paint, amount, model.film_medium_m / model.film_pigment};
-}
 
 Transfer::Transfer(CanvasState& state, BrushContact& contact, PaintAccount& account,
                    std::span<const float> amount, const Threads& threads)
@@ -64,34 +79,37 @@ Transfer::Transfer(CanvasState& state, BrushContact& contact, PaintAccount& acco
 void Transfer::apply(const Stamp& stamp, const BrushInHand& hand, const Model& model,
                      Reservoir& reservoir) {
   if (!(hand.tip.mean() > 0) || !(stamp.travel_m >= 0)) return;
+  // Where the tip is, and how strongly it acts: all that is the same for every cell.
   StampPlan plan;
   place(stamp, hand, reservoir, plan);
   if (plan.box.empty()) return;
   set_rates(stamp, hand, model, reservoir, plan);
   planes_.find(state_);
   prepare(plan.box, plan.stride);
-  print_.draw_cells(plan, cell_m());
+  footprint_.draw_cells(plan, cell_size_m(state_.geometry));
 
+  // What lies under the tip; from that, how far down the bristles reach.
   for_rows(plan, &Transfer::measure_rows);
   find_heights(hand, plan);
-  for_rows(plan, &Transfer::lift_rows);
-  take_up(plan, hand, reservoir);
-  const bool lays = find_share_scale(plan);
-  if (observer_ != nullptr) observer_->lay(plan, state_);
-  if (!lays) return;
-  for_rows(plan, &Transfer::lay_rows);
-  if (observer_ != nullptr) observer_->laid(plan, state_);
-  settle(plan, hand, reservoir);
-}
-
-float Transfer::cell_m() const {
-  return std::sqrt(state_.geometry.dx_m() * state_.geometry.dy_m());
+  // The canvas gives paint to the brush (R23), the palette refills it (R22).
+  for_rows(plan, &Transfer::pick_up_rows);
+  pick_up_and_refill(plan, hand, reservoir);
+  // Levelling must not change how much the stamp deposits.
+  const bool deposits = find_share_scale(plan);
+  if (listener_ != nullptr) listener_->before_deposit(plan, state_);
+  if (!deposits) return;
+  // The brush gives paint to the canvas (R25), layers mix (R28), the fluid learns of the contact
+  // (R17).
+  for_rows(plan, &Transfer::deposit_rows);
+  if (listener_ != nullptr) listener_->after_deposit(plan, state_);
+  // The brush loses its surplus and dries (R24).
+  return_surplus(plan, hand, reservoir);
 }
 
 /// Where the stamp lies and what it is made of.
 void Transfer::place(const Stamp& stamp, const BrushInHand& hand, const Reservoir& reservoir,
                      StampPlan& plan) const {
-  plan.pose = pose_of(stamp, hand.brush, kSmallestCells * cell_m());
+  plan.pose = pose_on(state_.geometry, stamp, hand.brush);
   plan.extent = hand.tip.extent();
   plan.box = box_of(plan.pose, plan.extent, state_.geometry);
   plan.stamp = stamp;
@@ -99,55 +117,52 @@ void Transfer::place(const Stamp& stamp, const BrushInHand& hand, const Reservoi
   plan.load = &hand.load;
   plan.reservoir = &reservoir;
   plan.stride = reservoir.stride();
-  const float pressure = stamp.pressure < 0 ? 1.0f : std::min(stamp.pressure, 1.0f);
-  plan.state = {hand.brush.splay_at(pressure) / std::sqrt(speed_factor(stamp)),
+  plan.state = {hand.brush.splay_at(pressure_of(stamp)) / std::sqrt(speed_factor(stamp)),
                 reservoir.density_frac};
   plan.mean = hand.tip.mean(plan.state.press);
   plan.stroke_id = hand.stroke_id;
 }
 
-/// How much the stamp lifts, lays, mixes and pushes, from sliders, pressure and distance.
+/// Fills in the plan how much the stamp picks up, deposits, mixes and pushes. That follows from the
+/// sliders, the pressure and the distance that the stamp stands for.
 void Transfer::set_rates(const Stamp& stamp, const BrushInHand& hand, const Model& model,
                          const Reservoir& reservoir, StampPlan& plan) const {
   const BrushSettings& settings = hand.settings;
   const BrushDefinition& brush = hand.brush;
-  const float pressure = stamp.pressure < 0 ? 1.0f : std::min(stamp.pressure, 1.0f);
-  const float stiffness = brush.stiffness < 0 ? settings.stiffness : brush.stiffness;
-  const double diameters =
-      static_cast<double>(stamp.travel_m) / static_cast<double>(plan.pose.diameter_m);
+  const float pressure = pressure_of(stamp);
+  const double diameters = travelled_diameters(stamp, plan.pose);
   plan.dry_m = kDryFrac * model.max_medium_m;
-  plan.pickup_frac =
-      std::max(share_over(settings.pickup, diameters),
-               share_over(brush.absorb, diameters * (0.3 + 0.7 * static_cast<double>(pressure))));
-  plan.lift.share_frac = plan.pickup_frac;
-  plan.lift.residue = model.pigment_residue;
+  plan.pickup_frac = pickup_share(stamp, brush, settings, plan.pose);
+  plan.pick_up.share_frac = plan.pickup_frac;
+  plan.pick_up.residue = model.pigment_residue;
   if (stamp.pressure >= 0 && brush.absorb == 0)
-    plan.lift.reach_frac = std::clamp(pressure * (0.5f + stiffness), 0.0f, 1.0f);
-  plan.mix = {0.5f * pressure * share_over(settings.layer_mixing, diameters),
-              model.pigment_residue};
-  plan.lay = {model.max_medium_m, hand.stroke_id};
+    plan.pick_up.penetration_frac =
+        std::clamp(pressure * (kSoftestReach + stiffness_of(hand)), 0.0f, 1.0f);
+  plan.mix = {mixing_share(stamp, settings, plan.pose), model.pigment_residue};
+  plan.deposit = {model.max_medium_m, hand.stroke_id};
   // A tip finer than the grid is drawn as wide as the grid can show, and as much thinner.
   const float unpressed = stamp.diameter_m * brush.size_at(pressure);
   const float thin = std::min(1.0f, unpressed / plan.pose.diameter_m);
-  // Fewer hairs lay less, though not in proportion: each is fed by those beside it. Speed leaves
+  // Fewer bristles lay less, though not in proportion: each is fed by those beside it. Speed leaves
   // the amount alone.
   const float unhurried = hand.tip.mean(brush.splay_at(pressure));
-  const float mean = 0.5f * (unhurried + hand.tip.mean()) * plan.mean / unhurried;
+  const float mean = (unhurried + hand.tip.mean()) / 2 * plan.mean / unhurried;
   plan.film_rate = brush.film * wet_film(reservoir.density_frac) * brush.flow_at(pressure) * thin *
                    static_cast<float>(diameters) / (mean * kFilmsHeld);
-  plan.return_frac = (1 - brush.absorb) * static_cast<float>(-approx::expm1(-diameters));
-  plan.level_per_m = model.contact_levelling * std::max(0.0f, 2 * reservoir.density_frac - 1) /
+  plan.return_frac = return_share(stamp, brush, plan.pose);
+  plan.level_per_m = model.contact_levelling * levelling(reservoir.density_frac) /
                      (model.film_medium_m * settings.medium_frac + kWeaveReach_m);
   plan.push_m = model.brush_push * stamp.travel_m;
+  // A blade takes what stands above its edge, whatever the pressure.
   if (brush.scrapes) {
-    plan.lift.share_frac = 1;  // stamp_lift_weight() says how much
-    plan.lift.reach_frac = -1;
-    plan.scrape_frac = share_over(0.97f, diameters / static_cast<double>(kBladeThickness));
+    plan.pick_up.share_frac = 1;  // stamp_pick_up_weight() says how much
+    plan.pick_up.penetration_frac = -1;
+    plan.scrape_frac = scraped_share(stamp, plan.pose);
   }
 }
 
-/// Heights under the tip: their mean; what a dry or light brush reaches of them; and where the edge
-/// of a blade is.
+/// Fills in the plan the mean of the heights under the tip, and which of them the brush reaches:
+/// where a blade's edge is, or how deep the bristles of a dry or light brush come.
 void Transfer::find_heights(const BrushInHand& hand, StampPlan& plan) const {
   double value = 0, height = 0, square = 0, base = 0;
   for (int y = 0; y < plan.box.height; ++y) {
@@ -159,29 +174,26 @@ void Transfer::find_heights(const BrushInHand& hand, StampPlan& plan) const {
   }
   if (!(value > 0)) return;
   plan.mean_height_m = height / value;
-  const float pressure = plan.stamp.pressure < 0 ? 1.0f : std::min(plan.stamp.pressure, 1.0f);
+  const float pressure = pressure_of(plan.stamp);
   if (plan.scrape_frac > 0) {
     plan.scrape_height_m = static_cast<float>(base / value) + kBladeRide_m +
-                           (1 - pressure) * kBladeLift_m + hand.load.paint[0] / kFilmsHeld;
+                           (1 - pressure) * kBladeClearance_m + hand.load.paint[0] / kFilmsHeld;
     return;
   }
-  const float stiffness = hand.brush.stiffness < 0 ? hand.settings.stiffness : hand.brush.stiffness;
-  const float contact = plan.state.density_frac * std::min(1.0f, 0.3f + 1.7f * pressure) *
-                        (1.25f - 0.5f * stiffness) / speed_factor(plan.stamp);
-  // At 0.8 the hairs come 2.8 deviations deep: everywhere. At 0.24 they touch the higher half.
-  const float offset = 5 * contact - 1.2f;
-  if (offset >= 2.8f) return;
+  const float reach = reach_of(plan, pressure, stiffness_of(hand));
+  if (reach >= kReachesAll) return;
   const double variance = square / value - plan.mean_height_m * plan.mean_height_m;
   const float deviation = static_cast<float>(std::sqrt(std::max(0.0, variance)));
   plan.catch_per_m = 1 / std::max(deviation, kLeastRelief_m);
-  // Thick wet paint does not carry the hairs: they sink into it. Else a hole in it, once there,
+  // Thick wet paint does not carry the bristles: they sink into it. Else a hole in it, once there,
   // would never be painted over.
   const float wet_m = static_cast<float>((height - base) / value);
-  plan.catch_offset = offset + plan.catch_per_m * std::max(0.0f, wet_m - kCarries_m);
+  plan.catch_offset = reach + plan.catch_per_m * std::max(0.0f, wet_m - kCarries_m);
 }
 
-/// Levelling only redistributes. Whole on the canvas, the tip lays its exact total; cut by the
-/// border, what its cells say. False if nothing can be laid.
+/// Finds the factor that keeps levelling from changing the stamp's total. If the whole tip is on
+/// the canvas, the total is that of the tip; if the border cuts the tip, it is the sum over its
+/// cells. Returns false if nothing can be deposited.
 bool Transfer::find_share_scale(StampPlan& plan) const {
   double value = 0, share = 0;
   for (int y = 0; y < plan.box.height; ++y) {
@@ -199,7 +211,7 @@ bool Transfer::find_share_scale(StampPlan& plan) const {
   return true;
 }
 
-void Transfer::prepare(const CellBox& box, int stride) {
+void Transfer::prepare(const FootprintBox& box, int stride) {
   const std::size_t cells =
       static_cast<std::size_t>(box.width) * static_cast<std::size_t>(box.height);
   const std::size_t rows = static_cast<std::size_t>(box.height);
@@ -208,8 +220,8 @@ void Transfer::prepare(const CellBox& box, int stride) {
   };
   grow(weight_, cells);
   grow(share_, cells);
-  grow(touch_, cells);
-  grow(grasp_, cells);
+  grow(hold_, cells);
+  grow(pick_up_weight_, cells);
   grow(paint_, cells * static_cast<std::size_t>(stride));
   grow(row_paint_, rows * parts_);
   grow(row_, rows);
@@ -223,7 +235,7 @@ void Transfer::for_rows(const StampPlan& plan, void (Transfer::*pass)(const Stam
     (this->*pass)(plan, 0, rows);
     return;
   }
-  struct Job {
+  struct RowTask {
     Transfer* transfer;
     const StampPlan* plan;
     void (Transfer::*pass)(const StampPlan&, int, int);
@@ -234,9 +246,9 @@ void Transfer::for_rows(const StampPlan& plan, void (Transfer::*pass)(const Stam
   });
 }
 
-/// The tip's value per cell, and what the canvas is like under it.
+/// Measures the tip's value in each cell, and the heights of the canvas under the tip.
 void Transfer::measure_rows(const StampPlan& plan, int begin, int end) {
-  const HairTable& grip = plan.tip->grip_table();
+  const BristleTable& grip = plan.tip->grip_table();
   for (int y = begin; y < end; ++y) {
     const int canvas_y = plan.box.y + y;
     const TipRow tip = tip_row(plan.pose, plan.box, state_.geometry, canvas_y);
@@ -244,12 +256,12 @@ void Transfer::measure_rows(const StampPlan& plan, int begin, int end) {
     const float* base = state_.base_m.row(canvas_y) + plan.box.x;
     const float* depth = state_.depth_m.row(canvas_y) + plan.box.x;
     const std::uint32_t* stroke = state_.stroke.row(canvas_y) + plan.box.x;
-    print_.row(tip, 0, {weight_.data() + at, static_cast<std::size_t>(plan.box.width)});
+    footprint_.row(tip, 0, {weight_.data() + at, static_cast<std::size_t>(plan.box.width)});
     RowSums sums;
     TouchedCells touched{plan.box.width, 0};
     for (int x = 0; x < plan.box.width; ++x) {
       const float s = weight_[at + static_cast<std::size_t>(x)];
-      touch_[at + static_cast<std::size_t>(x)] = stamp_touch(plan, grip, s, tip.v(x));
+      hold_[at + static_cast<std::size_t>(x)] = stamp_hold(plan, grip, s, tip.v(x));
       if (!(s > 0)) continue;
       touched.begin = std::min(touched.begin, x);
       touched.end = x + 1;
@@ -270,7 +282,7 @@ void Transfer::measure_rows(const StampPlan& plan, int begin, int end) {
   }
 }
 
-Transfer::Strip Transfer::strip_of(const StampPlan& plan, int y) const {
+Transfer::TouchedRun Transfer::strip_of(const StampPlan& plan, int y) const {
   const TouchedCells& cells = touched_[static_cast<std::size_t>(y)];
   return {plan.box.x + cells.begin, plan.box.y + y,
           static_cast<std::size_t>(y) * static_cast<std::size_t>(plan.box.width) +
@@ -278,7 +290,7 @@ Transfer::Strip Transfer::strip_of(const StampPlan& plan, int y) const {
           static_cast<std::size_t>(cells.end - cells.begin)};
 }
 
-float* Transfer::strip_paint(const StampPlan& plan, const Strip& strip) {
+float* Transfer::strip_paint(const StampPlan& plan, const TouchedRun& strip) {
   return paint_.data() + strip.at * static_cast<std::size_t>(plan.stride);
 }
 
@@ -286,10 +298,11 @@ std::span<double> Transfer::strip_sums(int y) {
   return {row_paint_.data() + static_cast<std::size_t>(y) * parts_, parts_};
 }
 
-/// Contact levelling (A22): less on bumps, more in hollows; and the lift.
-void Transfer::lift_rows(const StampPlan& plan, int begin, int end) {
+/// Contact levelling (A22): the stamp will deposit less on bumps and more in hollows. Then the
+/// paint is picked up (R23).
+void Transfer::pick_up_rows(const StampPlan& plan, int begin, int end) {
   for (int y = begin; y < end; ++y) {
-    const Strip strip = strip_of(plan, y);
+    const TouchedRun strip = strip_of(plan, y);
     const float* base = state_.base_m.row(strip.y) + strip.x;
     float* depth = state_.depth_m.row(strip.y) + strip.x;
     double share = 0;
@@ -304,33 +317,34 @@ void Transfer::lift_rows(const StampPlan& plan, int begin, int end) {
       const float levelled = weight_[at] * stamp_level_factor(plan, at_end, height);
       share += static_cast<double>(levelled);
       share_[at] = levelled * stamp_caught(plan, height);
-      if (scrapes) grasp_[at] = stamp_lift_weight(plan, touch_[at], at_end, {depth[i], height});
+      if (scrapes)
+        pick_up_weight_[at] = stamp_pick_up_weight(plan, hold_[at], at_end, {depth[i], height});
     }
     row_[static_cast<std::size_t>(y)].share = share;
-    const std::vector<float>& hold = scrapes ? grasp_ : touch_;
-    lift_row(plan.lift, planes_.row(strip.x, strip.y), {hold.data() + strip.at, strip.cells}, depth,
-             strip_paint(plan, strip), plan.stride, strip_sums(y));
+    const std::vector<float>& weight = scrapes ? pick_up_weight_ : hold_;
+    pick_up_row(plan.pick_up, planes_.row(strip.x, strip.y),
+                {weight.data() + strip.at, strip.cells}, depth, strip_paint(plan, strip),
+                plan.stride, strip_sums(y));
   }
 }
 
-/// The lifted paint arrives in the brush, and the palette's paint with it (R22).
-void Transfer::take_up(const StampPlan& plan, const BrushInHand& hand, Reservoir& reservoir) {
+/// The picked up paint arrives in the reservoir, and the palette's paint with it (R22).
+void Transfer::pick_up_and_refill(const StampPlan& plan, const BrushInHand& hand,
+                                  Reservoir& reservoir) {
   add_to(plan, account_.picked_up);
-  const bool lifted =
+  const bool picked_up =
       std::any_of(paint_sum_.begin(), paint_sum_.end(), [](double sum) { return sum > 0; });
-  if (lifted)
-    gather_lifted({paint_, plan.stride, touched_}, plan.pose, plan.box, state_.geometry, hand.tip,
-                  reservoir);
-  const double distances = static_cast<double>(plan.stamp.travel_m) /
-                           static_cast<double>(kRefillDiameters * plan.pose.diameter_m);
-  const float refill = hand.brush.film > 0 ? share_over(hand.settings.refill, distances) : 0;
-  reservoir.refill(hand.load, hand.tip, refill);
+  if (picked_up)
+    collect_picked_up({paint_, plan.stride, touched_}, plan.pose, plan.box, state_.geometry,
+                      hand.tip, reservoir);
+  reservoir.refill(hand.load, hand.tip,
+                   refill_share(plan.stamp, hand.brush, hand.settings, plan.pose));
 }
 
-/// Lays the film and the surplus, mixes the layers, marks the contact.
-void Transfer::lay_rows(const StampPlan& plan, int begin, int end) {
+/// Deposits the film and the surplus, mixes the layers, marks the contact.
+void Transfer::deposit_rows(const StampPlan& plan, int begin, int end) {
   for (int y = begin; y < end; ++y) {
-    const Strip strip = strip_of(plan, y);
+    const TouchedRun strip = strip_of(plan, y);
     const TipRow tip = tip_row(plan.pose, plan.box, state_.geometry, strip.y);
     float* paint = strip_paint(plan, strip);
     double returned = 0;
@@ -342,17 +356,17 @@ void Transfer::lay_rows(const StampPlan& plan, int begin, int end) {
       }
       const int x = strip.x - plan.box.x + static_cast<int>(i);
       plan.reservoir->sample(tip.u(x), tip.v(x), paint);
-      const float content = plan.load->content_of(paint);
-      const LaidContent laid = stamp_laid(plan, content, weight_[strip.at + i], share);
-      for (int k = 0; k < plan.stride; ++k) paint[k] *= laid.part;
-      returned += static_cast<double>(laid.returned);
+      const float volume = plan.load->volume_of(paint);
+      const DepositedVolume deposited = stamp_deposited(plan, volume, weight_[strip.at + i], share);
+      for (int k = 0; k < plan.stride; ++k) paint[k] *= deposited.part;
+      returned += static_cast<double>(deposited.returned);
     }
     row_[static_cast<std::size_t>(y)].returned = returned;
     const LayerRow row = planes_.row(strip.x, strip.y);
-    lay_paint_row(plan.lay, row, {state_.depth_m.row(strip.y) + strip.x, strip.cells},
-                  state_.stroke.row(strip.y) + strip.x, strip_paint(plan, strip), plan.stride,
-                  strip_sums(y));
-    mix_layers_row(plan.mix, row, {touch_.data() + strip.at, strip.cells});
+    deposit_row(plan.deposit, row, {state_.depth_m.row(strip.y) + strip.x, strip.cells},
+                state_.stroke.row(strip.y) + strip.x, strip_paint(plan, strip), plan.stride,
+                strip_sums(y));
+    mix_layers_row(plan.mix, row, {hold_.data() + strip.at, strip.cells});
     touch_row(
         plan, strip.y,
         {weight_.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(plan.box.width),
@@ -360,8 +374,10 @@ void Transfer::lay_rows(const StampPlan& plan, int begin, int end) {
   }
 }
 
-/// Keeps the books, takes the surplus that was laid out of the brush, and dries the brush (R24).
-void Transfer::settle(const StampPlan& plan, const BrushInHand& hand, Reservoir& reservoir) {
+/// Adds to the account, takes out of the reservoir the surplus that was deposited, and dries the
+/// brush (R24).
+void Transfer::return_surplus(const StampPlan& plan, const BrushInHand& hand,
+                              Reservoir& reservoir) {
   add_to(plan, account_.deposited);
   double returned = 0, ahead = 0, ahead_dry = 0;
   for (int y = 0; y < plan.box.height; ++y) {
@@ -385,7 +401,7 @@ void Transfer::settle(const StampPlan& plan, const BrushInHand& hand, Reservoir&
                                                   (hand.brush.capacity * plan.pose.diameter_m));
 }
 
-/// The rows' sums in their order, into `paint_sum_` and, as volumes, into a flow.
+/// Adds the sums of the rows, in the order of rows: into `paint_sum_` and, as volumes, into `flow`.
 void Transfer::add_to(const StampPlan& plan, PaintFlow& flow) {
   std::fill(paint_sum_.begin(), paint_sum_.end(), 0.0);
   for (int y = 0; y < plan.box.height; ++y)

@@ -1,28 +1,29 @@
 #pragma once
-// One stamp: paint goes from the canvas to the brush and from the brush to the canvas (R21-R28),
-// and the fluid learns where the brush was. Order: lift, refill, lay, mix, contact. Works only on
-// the cells under the tip and allocates nothing once its scratch has grown to the largest stamp.
-// Not thread-safe; rows of a large stamp run on `threads`, sums are added in row order.
+// The transfer at one stamp: paint goes from the canvas to the brush and from the brush to the
+// canvas (R21-R28), and the fluid learns where the brush was. Order: pick up, refill, deposit, mix,
+// contact. The transfer works only on the cells under the tip and allocates nothing once its
+// scratch has grown to the largest stamp. Not thread-safe; the rows of a large stamp run on
+// `threads`, and sums are added in the order of rows.
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "core/base/threads.h"
 #include "core/brush/brush_settings.h"
-#include "core/brush/footprint.h"
-#include "core/brush/gather.h"
+#include "core/brush/collect_paint.h"
 #include "core/brush/reservoir.h"
 #include "core/brush/stamp.h"
-#include "core/brush/stamp_observer.h"
+#include "core/brush/stamp_listener.h"
 #include "core/brush/stamp_plan.h"
 #include "core/brush/tip.h"
-#include "core/brush/tip_print.h"
-#include "core/canvas_state.h"
+#include "core/brush/tip_footprint.h"
+#include "core/brush/tip_pose.h"
+#include "core/canvas/canvas_state.h"
+#include "core/canvas/paint_account.h"
 #include "core/fluid/brush_contact.h"
 #include "core/layers/layer_row.h"
-#include "core/model.h"
-#include "core/paint_account.h"
-#include "core/threads.h"
+#include "core/model/model.h"
 
 namespace pentimento {
 
@@ -35,23 +36,17 @@ struct BrushInHand {
   std::uint32_t stroke_id = 0;
 };
 
-/// Reservoir height of a load, in films of one pass: with half the medium, 2 mm.
-inline constexpr float kFilmsHeld = 2;
-
-/// The load for the sliders: paint whose film is `film_medium_m` x medium high and holds
-/// `film_pigment` x pigment of the channels `per_amount` (those of amount 1 of the pigment).
-PaintLoad make_load(const Model& model, const BrushSettings& settings,
-                    std::span<const float> per_amount, std::span<const float> amount);
-
 class Transfer {
  public:
-  /// All references outlive the transfer; `amount` as in LayerRow.
+  /// All references must outlive the transfer. `amount`: as in LayerRow.
   Transfer(CanvasState& state, BrushContact& contact, PaintAccount& account,
            std::span<const float> amount, const Threads& threads);
 
-  /// Told of every stamp from now on; nullptr: nobody. Outlives the transfer.
-  void set_observer(StampObserver* observer) { observer_ = observer; }
+  /// `listener` is told of every stamp from now on; nullptr: nobody is. It must outlive the
+  /// transfer.
+  void set_listener(StampListener* listener) { listener_ = listener; }
 
+  /// Does one stamp on the canvas and on `reservoir`.
   void apply(const Stamp& stamp, const BrushInHand& hand, const Model& model, Reservoir& reservoir);
 
  private:
@@ -63,33 +58,32 @@ class Transfer {
     double share = 0;          // after levelling
     double ahead = 0;          // value where the stroke has not been yet
     double ahead_dry = 0;      // ... and the canvas is dry
-    double returned = 0;       // content of the surplus that was laid
+    double returned = 0;       // volume of the surplus that was deposited
   };
 
   /// The cells of a row that the tip touches.
-  struct Strip {
+  struct TouchedRun {
     int x = 0, y = 0;    // of its first cell on the canvas
     std::size_t at = 0;  // of that cell in the scratch
     std::size_t cells = 0;
   };
 
-  float cell_m() const;
-  Strip strip_of(const StampPlan& plan, int y) const;
-  float* strip_paint(const StampPlan& plan, const Strip& strip);
+  TouchedRun strip_of(const StampPlan& plan, int y) const;
+  float* strip_paint(const StampPlan& plan, const TouchedRun& strip);
   std::span<double> strip_sums(int y);
   void measure_rows(const StampPlan& plan, int begin, int end);
-  void lift_rows(const StampPlan& plan, int begin, int end);
-  void lay_rows(const StampPlan& plan, int begin, int end);
+  void pick_up_rows(const StampPlan& plan, int begin, int end);
+  void deposit_rows(const StampPlan& plan, int begin, int end);
   void for_rows(const StampPlan& plan, void (Transfer::*pass)(const StampPlan&, int, int));
-  void prepare(const CellBox& box, int stride);
+  void prepare(const FootprintBox& box, int stride);
   void find_heights(const BrushInHand& hand, StampPlan& plan) const;
   void place(const Stamp& stamp, const BrushInHand& hand, const Reservoir& reservoir,
              StampPlan& plan) const;
   void set_rates(const Stamp& stamp, const BrushInHand& hand, const Model& model,
                  const Reservoir& reservoir, StampPlan& plan) const;
   bool find_share_scale(StampPlan& plan) const;
-  void take_up(const StampPlan& plan, const BrushInHand& hand, Reservoir& reservoir);
-  void settle(const StampPlan& plan, const BrushInHand& hand, Reservoir& reservoir);
+  void pick_up_and_refill(const StampPlan& plan, const BrushInHand& hand, Reservoir& reservoir);
+  void return_surplus(const StampPlan& plan, const BrushInHand& hand, Reservoir& reservoir);
   void add_to(const StampPlan& plan, PaintFlow& flow);
   void touch_row(const StampPlan& plan, int y, std::span<const float> weight);
 
@@ -99,16 +93,16 @@ class Transfer {
   LayerPlanes planes_;
   std::size_t parts_;  // height and channels
   const Threads& threads_;
-  StampObserver* observer_ = nullptr;
+  StampListener* listener_ = nullptr;
 
   // Scratch of one stamp, over its box.
-  TipPrint print_;
-  std::vector<float> weight_;      // value of the tip per cell
-  std::vector<float> share_;       // the same after contact levelling
-  std::vector<float> touch_;       // how hard the hairs hold, [0,2] per cell
-  std::vector<float> grasp_;       // of a blade: what lift_row() takes
-  std::vector<float> paint_;       // lifted, then laid: `stride` floats per cell
-  std::vector<double> row_paint_;  // `parts_` per row
+  TipFootprint footprint_;
+  std::vector<float> weight_;          // value of the tip per cell
+  std::vector<float> share_;           // the same after contact levelling
+  std::vector<float> hold_;            // how hard the bristles hold, [0,2] per cell
+  std::vector<float> pick_up_weight_;  // of a blade: what pick_up_row() takes
+  std::vector<float> paint_;           // picked up, then deposited: `stride` floats per cell
+  std::vector<double> row_paint_;      // `parts_` per row
   std::vector<double> paint_sum_;
   std::vector<RowSums> row_;
   std::vector<TouchedCells> touched_;  // per row

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "core/check.h"
+#include "core/base/check.h"
 #include "core/optics/srgb.h"
 
 namespace pentimento {

@@ -1,5 +1,5 @@
 #pragma once
-// Numbers as colours, for pictures that show a field and not a painting.
+// Colour maps: numbers as colours, for pictures that show a plane and not a painting.
 
 #include <array>
 #include <cstdint>
@@ -14,8 +14,8 @@ using Linear3 = std::array<float, 3>;
 
 Linear3 linear_of(const Code8& code);
 
-/// Evenly spaced colours with straight lines between them in sRGB codes, so that each is met to
-/// the bit.
+/// The nodes of a colour map: evenly spaced colours, with straight lines between them in sRGB
+/// codes, so that the map gives each node to the bit.
 using ColorNodes = std::span<const Code8>;
 
 /// The colour at `t` in 0..1 (values outside are the ends'). Needs at least two nodes.

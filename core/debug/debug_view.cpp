@@ -22,8 +22,8 @@ constexpr std::array<std::pair<std::string_view, DebugView>, 5> kNames = {
 constexpr Code8 kAtRest = {24, 24, 24};
 constexpr Code8 kBare = {240, 234, 218};
 constexpr Code8 kDried = {150, 128, 104};
-/// Of no layer, one, two ...: apart from each other also to the colour blind (after Okabe and Ito
-/// 2008).
+/// The colours of no layer, one, two and so on. People who are colour blind can tell them apart,
+/// too (after Okabe and Ito 2008).
 constexpr std::array<Code8, 9> kLayerColors = {{{40, 40, 40},
                                                 {86, 180, 233},
                                                 {230, 159, 0},
@@ -52,12 +52,12 @@ bool goes_by_root(DebugView view) {
   return view == DebugView::kVelocity || view == DebugView::kPigment;
 }
 
-struct Range {
+struct ValueRange {
   double least = std::numeric_limits<double>::infinity();
   double most = -std::numeric_limits<double>::infinity();
 };
 
-DebugScale scale_of(DebugView view, const Range& range, int layers) {
+DebugScale scale_of(DebugView view, const ValueRange& range, int layers) {
   DebugScale scale;
   if (view == DebugView::kLayers) {
     scale.to = layers;
@@ -93,7 +93,7 @@ DebugScale measure_debug_scale(DebugView view, const CanvasSource& canvas,
   const auto width = static_cast<std::size_t>(canvas.geometry().width);
   std::vector<float> value(width);
   std::vector<std::int8_t> mark(width);
-  Range range;
+  ValueRange range;
   for (int y = 0; y < canvas.geometry().height; ++y) {
     rows.read(y, value, mark);
     for (std::size_t x = 0; x < width; ++x) {

@@ -1,6 +1,6 @@
 #pragma once
-// The state of the paint as colours, for people who look for a fault: one of its fields over the
-// whole canvas, without light. Row by row from any canvas, however large.
+// Debug views: one quantity of the canvas as colours, without light, for people who look for a
+// fault. They read any canvas, however large, row by row.
 
 #include <cstdint>
 #include <optional>
@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/canvas_source.h"
+#include "core/canvas/canvas_source.h"
 #include "core/debug/color_map.h"
 #include "core/optics/channels.h"
 
@@ -24,11 +24,11 @@ enum class DebugView {
 };
 
 inline constexpr std::string_view kDebugViewNames = "height, velocity, pigment, layers, wetness";
-/// None: no such view.
+/// nullopt if there is no such view.
 std::optional<DebugView> debug_view_named(std::string_view name);
 std::string_view debug_view_name(DebugView view);
 
-/// What the colours mean: values from `from` to `to`, in units of `unit_size` SI units.
+/// The scale of a view's colours: values from `from` to `to`, in units of `unit_size` SI units.
 struct DebugScale {
   double from = 0, to = 1;
   double unit_size = 1;
@@ -40,7 +40,7 @@ struct DebugScale {
 DebugScale measure_debug_scale(DebugView view, const CanvasSource& canvas,
                                const ChannelBasis& basis);
 
-/// A field that has a place apart from the scale, as "bare canvas".
+/// A colour that stands for something outside the scale, such as "bare canvas".
 struct DebugSwatch {
   Code8 color;
   std::string name;
@@ -54,12 +54,12 @@ class DebugColors {
  public:
   DebugColors(DebugView view, const DebugScale& scale) : view_(view), scale_(scale) {}
 
-  /// Of a value on the scale (SI units). Velocity: a speed to the right.
+  /// Colour of a value on the scale (SI units). For velocity: of a speed to the right.
   Linear3 at(double value) const;
-  /// Of a surface velocity: x right, y down, m/s.
+  /// Colour of a surface velocity: x right, y down, m/s.
   Linear3 moving(double x_m_s, double y_m_s) const;
-  /// Where in 0..1 of the scale's bar `value` stands, and what stands there. Speeds and pigment go
-  /// with the square root, so that slow and thin paint is seen.
+  /// The place of `value` on the scale's bar, 0..1, and the inverse. Speeds and amounts of pigment
+  /// go with the square root, so that slow and thin paint can be seen.
   double share_of(double value) const;
   double value_at(double share) const;
 
@@ -76,7 +76,7 @@ class DebugColors {
 /// Reads rows of a canvas as colours.
 class DebugRows {
  public:
-  /// All outlive it.
+  /// All references must outlive the object.
   DebugRows(const DebugColors& colors, const CanvasSource& canvas, const ChannelBasis& basis);
 
   /// The values on the scale of all cells of row y; where the view shows something else, `mark`

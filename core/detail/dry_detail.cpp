@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/drying.h"
+#include "core/simulation/drying.h"
 
 namespace pentimento {
 
@@ -26,7 +26,7 @@ bool find_reflectance(DetailCanvas& canvas, DetailTile& tile) {
   for (std::size_t band = 0; band < tile.reflectance.size(); ++band) {
     const FieldView<float> plane = view_of(tile.reflectance[band], side);
     for (int y = 0; y < tile.box.height() * k; ++y)
-      canvas.ground().reflectance_row(
+      canvas.substrate().reflectance_row(
           static_cast<int>(band), tile.box.x0 * k, tile.box.y0 * k + y,
           {plane.row(y), static_cast<std::size_t>(tile.box.width() * k)});
   }

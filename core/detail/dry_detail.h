@@ -1,15 +1,15 @@
 #pragma once
 // The wet paint of the detail canvas dries (R20).
 
-#include "core/detail/detail_canvas.h"
-#include "core/model.h"
+#include "core/base/threads.h"
+#include "core/detail/store/detail_canvas.h"
+#include "core/model/model.h"
 #include "core/optics/channels.h"
-#include "core/threads.h"
 
 namespace pentimento {
 
-/// Per fine cell what dry_canvas() does per cell of the guide: b += d, the reflectance becomes that
-/// of the wet layers over it; the wet planes of all tiles are freed.
+/// Does in each fine cell what dry_canvas() does in each cell of the guide: b += d, and the
+/// reflectance becomes that of the wet layers over it. Then it frees the wet planes of all tiles.
 void dry_detail(DetailCanvas& canvas, const ChannelBasis& basis, const Model& model,
                 const Threads& threads);
 

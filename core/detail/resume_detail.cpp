@@ -1,6 +1,6 @@
 #include "core/detail/resume_detail.h"
 
-#include "core/check.h"
+#include "core/base/check.h"
 
 namespace pentimento {
 
@@ -9,11 +9,11 @@ constexpr int kTilesBetweenTrims = 64;
 
 class Resumption {
  public:
-  Resumption(DetailCanvas& canvas, const CanvasSource& fine, const DetailNotes& notes)
+  Resumption(DetailCanvas& canvas, const CanvasSource& fine, const DetailCheckpoint& checkpoint)
       : canvas_(canvas),
         fine_(fine),
-        notes_(notes),
-        columns_(kNotedPigment + canvas.layers() * canvas.channels()) {}
+        checkpoint_(checkpoint),
+        columns_(kCheckpointPigment + canvas.layers() * canvas.channels()) {}
 
   /// Of all tiles, one plane: what is read one after the other lies side by side in the file.
   template <typename WantsPlane, typename PlaneOf>
@@ -25,14 +25,14 @@ class Resumption {
   }
 
   bool noted(int tile, int column) const {
-    return notes_.tile[static_cast<std::size_t>(tile) * static_cast<std::size_t>(columns_) +
-                       static_cast<std::size_t>(column)] != 0;
+    return checkpoint_.tile[static_cast<std::size_t>(tile) * static_cast<std::size_t>(columns_) +
+                            static_cast<std::size_t>(column)] != 0;
   }
 
  private:
   void read(PlaneId id, const DetailTile& tile, TilePlane& plane) {
     if (!plane && !canvas_.make(plane)) return;
-    plane.touch();
+    plane.mark_used();
     const int side = canvas_.layout().side(), k = canvas_.layout().factor();
     for (int y = 0; y < tile.box.height() * k; ++y)
       fine_.read(id, tile.box.x0 * k, tile.box.y0 * k + y,
@@ -42,47 +42,47 @@ class Resumption {
 
   DetailCanvas& canvas_;
   const CanvasSource& fine_;
-  const DetailNotes& notes_;
+  const DetailCheckpoint& checkpoint_;
   int columns_;
 };
 
 /// Whether the guide shows something else than the ground: a picture that was loaded, which the
 /// ground does not remember.
 bool hides_ground(const DetailCanvas& canvas, const CanvasState& guide, int tile) {
-  const GuideBox box = canvas.layout().box(tile);
+  const CellBox box = canvas.layout().box(tile);
   const int k = canvas.layout().factor();
-  std::vector<float> ground(static_cast<std::size_t>(box.width() * k));
+  std::vector<float> substrate(static_cast<std::size_t>(box.width() * k));
   for (int band = 0; band < canvas.bands(); ++band)
     for (int y = box.y0; y < box.y1; ++y) {
-      canvas.ground().reflectance_row(band, box.x0 * k, y * k, ground);
+      canvas.substrate().reflectance_row(band, box.x0 * k, y * k, substrate);
       for (int x = box.x0; x < box.x1; ++x)
         if (guide.reflectance[static_cast<std::size_t>(band)](x, y) !=
-            ground[static_cast<std::size_t>((x - box.x0) * k)])
+            substrate[static_cast<std::size_t>((x - box.x0) * k)])
           return true;
     }
   return false;
 }
 }  // namespace
 
-void resume_detail(DetailCanvas& canvas, const CanvasSource& fine, const DetailNotes& notes,
-                   const CanvasState& guide) {
+void resume_detail(DetailCanvas& canvas, const CanvasSource& fine,
+                   const DetailCheckpoint& checkpoint, const CanvasState& guide) {
   PENTIMENTO_CHECK(fine.channels() == canvas.channels() && fine.layers() == canvas.layers());
   const DetailLayout& layout = canvas.layout();
-  Resumption from(canvas, fine, notes);
+  Resumption from(canvas, fine, checkpoint);
   const auto noted = [&](int column) {
     return [&from, column](int tile) { return from.noted(tile, column); };
   };
-  from.read_plane({PlaneKind::kBase}, noted(kNotedMade),
+  from.read_plane({PlaneKind::kBase}, noted(kCheckpointMade),
                   [](DetailTile& tile) -> TilePlane& { return tile.base_m; });
   for (int p = -1; p < canvas.layers() * canvas.channels(); ++p)
     from.read_plane(p < 0 ? PlaneId{PlaneKind::kDepth}
                           : pigment_plane(p / canvas.channels(), p % canvas.channels()),
-                    noted(kNotedPigment + p),
+                    noted(kCheckpointPigment + p),
                     [p](DetailTile& tile) -> TilePlane& { return WetPlane{p}.of(tile); });
   std::vector<bool> reflects(static_cast<std::size_t>(layout.tiles()));
   for (int t = 0; t < layout.tiles(); ++t)
     reflects[static_cast<std::size_t>(t)] =
-        from.noted(t, kNotedDried) || hides_ground(canvas, guide, t);
+        from.noted(t, kCheckpointDried) || hides_ground(canvas, guide, t);
   for (int band = 0; band < canvas.bands(); ++band)
     from.read_plane(
         reflectance_plane(band), [&](int t) { return reflects[static_cast<std::size_t>(t)]; },
@@ -91,7 +91,7 @@ void resume_detail(DetailCanvas& canvas, const CanvasSource& fine, const DetailN
           return tile.reflectance[static_cast<std::size_t>(band)];
         });
   for (int t = 0; t < layout.tiles(); ++t)
-    if (DetailTile* tile = canvas.find(t)) tile->open = recall_open_cells(notes, layout, t);
+    if (DetailTile* tile = canvas.find(t)) tile->open = restore_open_cells(checkpoint, layout, t);
 }
 
 }  // namespace pentimento

@@ -1,15 +1,16 @@
 #pragma once
-// Where the brush touched the canvas during one step, and how it moved: what the stamps leave for
-// the fluid. Zero outside `rows`; cleared by the simulation after each step.
+// The contact: where the brush touched the canvas during one step, and how it moved. The stamps
+// write it for the fluid. All planes are zero outside the rows [row_begin, row_end). The simulation
+// clears it after each step.
 
 #include <algorithm>
 
-#include "core/field.h"
+#include "core/base/field.h"
 
 namespace pentimento {
 
 struct BrushContact {
-  Field<float> weight;          // [0,1] footprint of this step's stamps (the largest over stamps)
+  Field<float> weight;          // [0,1], the largest value of the step's footprints
   Field<float> velocity_x_m_s;  // of the brush, where weight > 0 (the last stamp's)
   Field<float> velocity_y_m_s;  // y down
   Field<float> push_x_m;        // sum over stamps of alpha ds direction e(r): `conservative`
@@ -25,7 +26,7 @@ struct BrushContact {
 };
 
 BrushContact make_brush_contact(int width, int height);
-/// Back to untouched.
+/// Sets everything back to untouched.
 void clear(BrushContact& contact);
 
 }  // namespace pentimento

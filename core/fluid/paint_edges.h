@@ -1,11 +1,11 @@
 #pragma once
-// How far a step carried paint over each face of the grid: what a scheme tells whoever moves the
-// same paint on a finer canvas. A record: it changes nothing of the step.
+// How far a step carried paint over each face of the grid. A scheme writes it for a listener that
+// moves the same paint on a detail canvas. It is a record only and changes nothing of the step.
 
 #include <vector>
 
-#include "core/canvas_state.h"
-#include "core/fluid/conservative/runs.h"
+#include "core/base/runs.h"
+#include "core/canvas/canvas_state.h"
 
 namespace pentimento {
 
@@ -17,8 +17,8 @@ struct PaintEdges {
       y.emplace_back(geometry.width, geometry.height);
     }
   }
-  // In cells, of the right (x) and the lower (y) face of each cell: of the depth, then of each
-  // layer. 0 where nothing was moved.
+  // Displacements in cells, of the right (x) and the lower (y) face of each cell: first of the
+  // depth, then of each layer. 0 where nothing moved.
   std::vector<Field<float>> x;
   std::vector<Field<float>> y;
   bool x_first = true;
@@ -26,14 +26,15 @@ struct PaintEdges {
 
 struct StepInput;
 
-/// Follows the motion of paint, part of a step by part of a step.
-class PaintFollower {
+/// The interface of anything that follows the motion of paint, part of a step by part of a step.
+class AdvectionListener {
  public:
-  virtual ~PaintFollower() = default;
-  /// Where the scheme writes its edges; all 0 when it begins, and put back to 0 by `moved`.
+  virtual ~AdvectionListener() = default;
+  /// Where the scheme writes its edges. They are all 0 when it begins, and moved() sets them back
+  /// to 0.
   virtual PaintEdges& edges() = 0;
-  /// The scheme has moved the paint of `state` in the cells of `runs`, first along one axis, then
-  /// along the other.
+  /// Called after the scheme has moved the paint of `state` in the cells of `runs`, first along one
+  /// axis, then along the other.
   virtual void moved(const CanvasState& state, const StepInput& in,
                      const std::vector<conservative::Run>& runs) = 0;
 };

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/fluid/conservative/kernel.h"
+#include "core/base/kernel.h"
 
 namespace pentimento {
 

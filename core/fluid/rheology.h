@@ -1,17 +1,17 @@
 #pragma once
-// How stiff and how viscous paint is, from its pigment per volume (R3, R12, R13). Shared by the
-// fluid schemes. Pure functions; no state.
+// Rheology: how stiff and how viscous paint is, from its pigment per volume (R3, R12, R13). Both
+// fluid schemes use it. Pure functions; no state.
 
 #include <span>
 #include <vector>
 
-#include "core/canvas_state.h"
-#include "core/model.h"
+#include "core/canvas/canvas_state.h"
+#include "core/model/model.h"
 
 namespace pentimento {
 
-/// theta = sum P / d in 1/m (R3). Bare pigment (d = 0) is infinitely stiff, bare canvas is not
-/// (A3). `amount` >= 0 without unit, `depth_m` >= 0.
+/// theta = sum P / d in 1/m (R3). Pigment without medium (d = 0) gives infinity, bare canvas gives
+/// 0 (A3). `amount` >= 0 without unit, `depth_m` >= 0.
 float pigment_per_volume(float amount, float depth_m);
 
 /// The constants of R12 and R13, from Table 1. alpha < beta.
@@ -21,17 +21,17 @@ struct Rheology {
   float nu_min_m2_s = 1e-6f;
   float nu_max_m2_s = 1e-2f;
 
-  /// Phi in [0,1] (R12): 0 up to alpha, 1 from beta on, 3t^2 - 2t^3 between. Infinity gives 1.
+  /// Phi in [0,1] (R12): 0 up to alpha, 1 from beta on, 3t^2 - 2t^3 between them. Infinity gives 1.
   float stiffness(float theta_per_m) const;
-  /// nu (R13): linear from nu_min at alpha to nu_max at beta, constant outside.
+  /// nu in m^2/s (R13): linear from nu_min at alpha to nu_max at beta, constant outside.
   float viscosity_m2_s(float theta_per_m) const;
 };
 
 /// The constants for a model; gamma < zeta.
 Rheology make_rheology(const Model& model);
 
-/// Sum over layers and channels of amount[c] P into out[0 .. end - begin): the total amount of
-/// pigment in the cells [begin, end) of row y.
+/// Writes into out[0 .. end - begin) the total amount of pigment in the cells [begin, end) of row
+/// y: the sum over layers and channels of amount[c] P.
 void total_amount_row(const CanvasState& state, const std::vector<float>& amount, int y, int begin,
                       int end, std::span<float> out);
 

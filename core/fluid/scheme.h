@@ -1,45 +1,43 @@
 #pragma once
 // The interface of a fluid scheme: one step of R5-R19 on a canvas that the brush has already
-// stamped. Two live below: paper/ (the publication, R6-R18 to the letter) and conservative/.
-// Brush, layers, drying and optics are shared and know nothing of the scheme.
+// stamped. There are two schemes: paper/ (the publication, R6-R18 to the letter) and conservative/.
+// Brush, layers, drying and optics are shared and do not depend on the scheme.
 
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "core/canvas_state.h"
+#include "core/base/threads.h"
+#include "core/base/vec.h"
+#include "core/canvas/canvas_state.h"
 #include "core/fluid/brush_contact.h"
 #include "core/fluid/paint_edges.h"
-#include "core/model.h"
-#include "core/threads.h"
-#include "core/vec.h"
+#include "core/model/model.h"
 
 namespace pentimento {
 
 struct StepInput {
   const Model& model;
-  Vec3f gravity_m_s2;  // core's frame: y down. Upright tablet = (0, -9.81, 0): see below
+  Vec3f gravity_m_s2;  // in core's frame, y down; see below
   float dt_s;
   const BrushContact& contact;
-  const std::vector<float>& amount;  // per channel: share in the total pigment amount (m of A26)
+  const std::vector<float>& amount;  // per channel: share in the total amount (m of A26)
   const Threads& threads;
-  PaintFollower* follower = nullptr;  // is told how paint moves; may be none
+  AdvectionListener* listener = nullptr;  // is told how paint moves; nullptr: nobody is
 };
 // gravity_m_s2 is what an accelerometer reads (specific force), so paint accelerates AGAINST it:
-// u_t = -g_x. Held upright it reads (0,+9.81,0) with y up, (0,-9.81,0) in core's frame, and paint
-// gains +9.81 m/s^2 downwards.
+// u_t = -g_x. A tablet held upright reads (0,+9.81,0) with y up, which is (0,-9.81,0) in core's
+// frame, and paint accelerates downwards with 9.81 m/s^2.
 
 class FluidScheme {
  public:
   virtual ~FluidScheme() = default;
-  /// One step. Returns whether any bit of the state changed (velocity, depth or pigment): when
-  /// not, and nothing outside changes, further steps change nothing either and may be skipped.
+  /// Does one step. Returns whether any bit of the state changed (velocity, depth or pigment). If
+  /// none did, and nothing changes from outside, further steps change nothing either and may be
+  /// skipped.
   virtual bool step(CanvasState& state, const StepInput& in) = 0;
   /// Named measurements since the start, for reports ("max_speed_m_s", "awake_share", ...).
   virtual std::vector<std::pair<std::string, double>> statistics() const { return {}; }
 };
-
-std::unique_ptr<FluidScheme> make_scheme(SchemeKind kind, const CanvasGeometry& geometry,
-                                         int layers, int channels);
 
 }  // namespace pentimento

@@ -1,21 +1,20 @@
 #pragma once
-// The pigment of one row of cells, all layers and channels: what the kernels of this folder read
-// and write. A view; copies are shallow.
+// The pigment of one row of cells in all layers and channels. The kernels of this folder read and
+// write it. It is a view; a copy shows the same values.
 
 #include <cstddef>
 #include <span>
 #include <vector>
 
-#include "core/canvas_state.h"
+#include "core/canvas/canvas_state.h"
+#include "core/model/model.h"
 #include "core/optics/composite.h"
 
 namespace pentimento {
 
-inline constexpr int kMaxLayers = 8;
-
 struct LayerRow {
   std::span<float* const> plane;  // [layer * channels + channel]
-  std::ptrdiff_t offset = 0;      // of the row's cell 0 in each of them
+  std::ptrdiff_t offset = 0;      // of the row's cell 0 in each plane
   int layers = 1;
   int channels = 0;
   std::span<const float> amount;  // per channel: its share in the total amount (A26)
@@ -40,14 +39,15 @@ struct LayerRow {
   }
 };
 
-/// The planes of a state, to be looked at row by row. Valid until a plane of the state is replaced
-/// (a fluid scheme may swap them); then find() again.
+/// The pigment planes of a state, from which rows are taken. Valid until a plane of the state is
+/// replaced (a fluid scheme may swap planes); then call find() again.
 class LayerPlanes {
  public:
   LayerPlanes(CanvasState& state, std::span<const float> amount);
-  /// Looks the planes up again; the state has the same layers and channels. Allocates nothing.
+  /// Looks the planes up again. The state has as many layers and channels as before. Allocates
+  /// nothing.
   void find(CanvasState& state);
-  /// Row y, its cell 0 being the grid's cell (x, y).
+  /// Row y of the grid; cell 0 of the result is the grid's cell (x, y).
   LayerRow row(int x, int y) const;
 
  private:

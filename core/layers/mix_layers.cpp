@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "core/fluid/conservative/kernel.h"
-#include "core/layers/cell_block.h"
-#include "core/math/any_not_zero.h"
+#include "core/base/any_not_zero.h"
+#include "core/base/kernel.h"
+#include "core/layers/cell_packet.h"
 
 namespace pentimento {
 
@@ -12,9 +12,9 @@ namespace {
 /// Exchange between the layers of one channel. `exchange[k]`: m between layers k and k + 1, 0 above
 /// a cell's topmost layer; `most`: layers of the highest cell.
 PENTIMENTO_KERNEL
-void mix_channel(const LayerRow& row, int channel, int first, int cells, const BlockValues& mobile,
-                 const std::array<BlockValues, kMaxLayers>& exchange, int most) {
-  BlockValues below, incoming{};
+void mix_channel(const LayerRow& row, int channel, int first, int cells, const PacketValues& mobile,
+                 const std::array<PacketValues, kMaxLayers>& exchange, int most) {
+  PacketValues below, incoming{};
   float* plane = &row.at(0, channel, first);
   for (int i = 0; i < cells; ++i) {
     const std::size_t at = static_cast<std::size_t>(i);
@@ -44,12 +44,12 @@ bool any_in_channel(const LayerRow& row, int channel, int first, int cells) {
 /// What may be exchanged in each cell of a block: m between layers below its topmost. `most`:
 /// layers of the highest cell.
 PENTIMENTO_KERNEL
-void find_exchange(const MixLayers& mix, const BlockTotals& totals,
-                   const std::array<int, kBlockCells>& occupied, int most, const float* weight,
-                   int cells, float* __restrict mobile, std::array<BlockValues, kMaxLayers>& out) {
+void find_exchange(const MixLayers& mix, const PacketTotals& totals,
+                   const std::array<int, kPacketCells>& occupied, int most, const float* weight,
+                   int cells, float* __restrict mobile, std::array<PacketValues, kMaxLayers>& out) {
   const float residue = mix.residue, frac = mix.exchange_frac;
   const float* bottom = totals.total[0].data();
-  for (int i = 0; i < cells; ++i) mobile[i] = mobile_share(bottom[i], residue);
+  for (int i = 0; i < cells; ++i) mobile[i] = free_share(bottom[i], residue);
   for (int k = 0; k + 1 < most; ++k) {
     float* __restrict exchange = out[static_cast<std::size_t>(k)].data();
     for (int i = 0; i < cells; ++i) {
@@ -59,15 +59,15 @@ void find_exchange(const MixLayers& mix, const BlockTotals& totals,
   }
 }
 
-void mix_block(const MixLayers& mix, const LayerRow& row, const float* weight, int first,
-               int cells) {
-  BlockTotals totals;
+void mix_packet(const MixLayers& mix, const LayerRow& row, const float* weight, int first,
+                int cells) {
+  PacketTotals totals;
   totals.find(row, first, cells);
-  std::array<int, kBlockCells> occupied;
+  std::array<int, kPacketCells> occupied;
   const int most = totals.find_occupied(row.layers, occupied);
   if (most < 2) return;
-  BlockValues mobile;
-  std::array<BlockValues, kMaxLayers> exchange;
+  PacketValues mobile;
+  std::array<PacketValues, kMaxLayers> exchange;
   find_exchange(mix, totals, occupied, most, weight, cells, mobile.data(), exchange);
   if (!any_not_zero(exchange[0].data(), cells)) return;
   for (int c = 0; c < row.channels; ++c)
@@ -79,8 +79,8 @@ void mix_block(const MixLayers& mix, const LayerRow& row, const float* weight, i
 void mix_layers_row(const MixLayers& mix, const LayerRow& row, std::span<const float> weight) {
   if (row.layers < 2 || !(mix.exchange_frac > 0)) return;
   const int cells = static_cast<int>(weight.size());
-  for (int first = 0; first < cells; first += kBlockCells)
-    mix_block(mix, row, weight.data() + first, first, std::min(kBlockCells, cells - first));
+  for (int first = 0; first < cells; first += kPacketCells)
+    mix_packet(mix, row, weight.data() + first, first, std::min(kPacketCells, cells - first));
 }
 
 }  // namespace pentimento

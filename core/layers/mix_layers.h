@@ -1,5 +1,5 @@
 #pragma once
-// A passing brush stirs the layers under it (R28).
+// The brush mixes the layers under it as it passes (R28).
 
 #include <span>
 
@@ -12,7 +12,7 @@ struct MixLayers {
   float residue = 0;        // amount of pigment of the bottom layer that stays on the paper (R19)
 };
 
-/// One pass over the cells of a row, layers 0 .. top of each cell.
+/// Mixes once in the cells of a row, in layers 0 .. top of each cell.
 ///   P_k += m [(P_{k+1} - P_k) + (P_{k-1} - P_k)], m = min(1/2, exchange weight); no flux past the
 ///   ends
 /// Scheme: explicit, all fluxes from the values before. Stability: m <= 1/2 (keeps P >= 0); in the

@@ -10,7 +10,8 @@ int compact_layers(const LayerRow& row, int x) {
     if (!(row.total(layer, x) > kEmptyLayerAmount)) continue;
     if (layer != occupied) {
       for (int c = 0; c < row.channels; ++c) {
-        // What an empty layer still holds, however little, stays: nothing is lost.
+        // The layer below may count as empty and still hold a trace of pigment, so the amounts are
+        // added to it.
         row.at(occupied, c, x) += row.at(layer, c, x);
         row.at(layer, c, x) = 0;
       }

@@ -1,9 +1,9 @@
 #pragma once
-// What the channels of a layer mean (decisions: A26). Everything that moves, deposits, mixes or
-// merges paint treats channels alike, as linear amounts; only optics and the rheology ask this
-// basis. Two kinds: a channel per palette pigment (its amount), or "optical channels" (total
-// amount, amount-weighted K and S per band), which mix exactly alike (Duncan) at a cost that does
-// not grow with the palette.
+// What the channels of a layer mean (A26). Everything that moves, deposits, mixes or merges paint
+// treats channels alike, as linear amounts; only optics and the rheology ask this basis. There are
+// two kinds of basis: a channel per palette pigment (its amount), or "optical channels" (total
+// amount, amount-weighted K and S per band). Both mix exactly alike (Duncan); the cost of optical
+// channels does not grow with the palette.
 
 #include <Eigen/Core>
 #include <string>
@@ -18,8 +18,8 @@ struct Pigment {
   Eigen::VectorXd S;
 };
 
-/// K c, S c and m c turn a cell's channel vector c into amount-weighted absorption, scattering and
-/// total pigment amount.
+/// Turns the channel vector c of a cell into amount-weighted absorption K c, scattering S c and
+/// total pigment amount m c.
 struct ChannelBasis {
   std::vector<std::string> name;  // per channel
   Eigen::MatrixXd K;              // bands x channels
@@ -32,14 +32,15 @@ struct ChannelBasis {
   int bands() const { return static_cast<int>(K.rows()); }
 };
 
-/// The largest palette that gets one channel per pigment: 8, or as many as optical channels take.
+/// The largest palette that gets one channel per pigment: 8 pigments, or as many as the optical
+/// channels that would take their place.
 constexpr int most_palette_channels(int bands) {
   return bands > 3 ? 1 + 2 * bands : 8;
 }
 
-/// One channel per pigment.
+/// A basis with one channel per pigment.
 ChannelBasis palette_channels(const std::vector<Pigment>& palette);
-/// 1 + 2 bands channels, whatever the palette's size: amount, K per band, S per band.
+/// A basis of 1 + 2 bands channels, whatever the palette's size: amount, K per band, S per band.
 ChannelBasis optical_channels(const std::vector<Pigment>& palette);
 /// Palette channels up to most_palette_channels() pigments, optical ones beyond. `wavelength_nm`
 /// goes into the basis.

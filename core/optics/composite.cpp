@@ -4,13 +4,11 @@
 #include <array>
 #include <cmath>
 
-#include "core/check.h"
-#include "core/math/approx.h"
+#include "core/base/approx.h"
+#include "core/base/check.h"
 
 namespace pentimento {
 namespace {
-
-constexpr int kMostLayers = 8;
 
 /// One band of one film over `ground`; Kx, Sx >= 0. The factor exp(-z) keeps cosh from overflowing;
 /// the series' next term is below a float's rounding for z < 0.25.
@@ -24,8 +22,8 @@ float film_over(float Kx, float Sx, float ground) {
   return R + T * T * ground / std::max(1 - R * ground, 1e-7f);
 }
 
-/// What K c and S c of each layer of the cell are multiplied with; 0 for an empty layer.
-using LayerFactors = std::array<float, kMostLayers>;
+/// The factor on K c and S c of each layer of the cell; 0 for an empty layer.
+using LayerFactors = std::array<float, kMaxLayers>;
 LayerFactors layer_factors(const CompositeOptics& o, const CanvasState& s, int x, int y) {
   LayerFactors factor{};
   int occupied = 0;
@@ -72,7 +70,7 @@ CompositeOptics make_composite_optics(const ChannelBasis& basis, const Model& mo
 
 void composite_row(const CompositeOptics& optics, const CanvasState& state, int y,
                    std::span<float* const> reflectance) {
-  PENTIMENTO_CHECK(state.layers <= kMostLayers && optics.K.cols() == state.channels);
+  PENTIMENTO_CHECK(state.layers <= kMaxLayers && optics.K.cols() == state.channels);
   PENTIMENTO_CHECK(static_cast<int>(reflectance.size()) == state.bands);
   for (int x = 0; x < state.geometry.width; ++x) {
     const LayerFactors factor = layer_factors(optics, state, x, y);

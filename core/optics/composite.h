@@ -1,13 +1,13 @@
 #pragma once
-// Wet paint over what is dry, as one reflectance per band: what drying leaves on the canvas (R20,
-// R31). It reaches the state, so: float, fixed order, no C library functions. For pictures
-// shading/albedo_row.h computes the same, faster.
+// The reflectance of wet paint over the dry layer, per band: what drying leaves on the canvas (R20,
+// R31). It reaches the state, so it is computed in float, in a fixed order and without C library
+// functions. For pictures, shading/albedo_row.h computes the same faster.
 
 #include <Eigen/Core>
 #include <span>
 
-#include "core/canvas_state.h"
-#include "core/model.h"
+#include "core/canvas/canvas_state.h"
+#include "core/model/model.h"
 #include "core/optics/channels.h"
 
 namespace pentimento {
@@ -16,7 +16,7 @@ namespace pentimento {
 /// colours it (A23, R31).
 inline constexpr float kEmptyLayerAmount = 1e-7f;
 
-/// How channel amounts become K x and S x, in float, ready for rows.
+/// How channel amounts become K x and S x, x the optical thickness. In float, for rows.
 struct CompositeOptics {
   Eigen::MatrixXf K;       // bands x channels
   Eigen::MatrixXf S;       // bands x channels
@@ -25,7 +25,7 @@ struct CompositeOptics {
   float per_reference = 1;  // 1 / pigment_reference or 1 / depth_reference_m
 };
 
-/// The basis and the model as the rows need them.
+/// Converts basis and model to the form that composite_row() needs.
 CompositeOptics make_composite_optics(const ChannelBasis& basis, const Model& model);
 
 /// Reflectance of row y: the state's layers, bottom first, over its dry reflectance.

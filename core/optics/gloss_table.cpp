@@ -5,9 +5,9 @@
 #include <cstddef>
 #include <optional>
 
-#include "core/check.h"
-#include "core/fluid/conservative/kernel.h"
-#include "core/math/row_exp.h"
+#include "core/base/check.h"
+#include "core/base/kernel.h"
+#include "core/base/row_exp.h"
 #include "core/optics/irradiance.h"
 #include "core/optics/microfacet.h"
 
@@ -19,12 +19,12 @@ constexpr float kSteepest = 0.98f;  // sine of a normal's slope
 constexpr double kFinest = 0.4;     // pixels that are halved no more, in roughnesses
 constexpr double kCoarsest = 1;     // pixels that a lobe is still summed over
 constexpr double kWidest = 4;       // of facets' slopes, in roughnesses
-/// Exponent of the least weight: without it products become denormal, which is slow.
+/// Exponent of the least weight. Without this limit, products become denormal, which is slow.
 constexpr float kFaintest = -60;
 /// Sums are kept this many side by side: their order is the same on every machine.
 constexpr std::size_t kLanes = 16;
 
-/// A panorama as what its pixels give, in rows.
+/// A panorama as rows of what its pixels contribute.
 struct Sources {
   int width = 0, height = 0;
   std::vector<float> x, y, z;           // direction
@@ -143,14 +143,14 @@ double total(const Lanes& lanes) {
 }
 
 /// Pixels whose direction may lie within `reach_rad` of direction d, as runs of one row each.
-struct Reach {
+struct PixelRange {
   int first_row, rows;
   int first_column, columns;  // may go on past the row's end, round to its beginning
 };
-Reach reach(const Sources& s, const std::array<double, 3>& d, double reach_rad) {
+PixelRange pixels_near(const Sources& s, const std::array<double, 3>& d, double reach_rad) {
   const double down = std::acos(std::clamp(d[1], -1.0, 1.0));  // from the top
   const double row_rad = kPi / s.height, column_rad = 2 * kPi / s.width;
-  Reach out{};
+  PixelRange out{};
   out.first_row = std::max(0, static_cast<int>((down - reach_rad) / row_rad));
   const int end = std::min(s.height, static_cast<int>((down + reach_rad) / row_rad) + 1);
   out.rows = end - out.first_row;
@@ -167,7 +167,7 @@ Reach reach(const Sources& s, const std::array<double, 3>& d, double reach_rad) 
   return out;
 }
 
-/// Between the four nearest pixels; what a perfect mirror shows.
+/// Interpolates between the four nearest pixels: what a perfect mirror shows.
 std::array<float, 3> radiance(const Sources& s, const std::array<double, 3>& d) {
   const double u = (std::atan2(-d[0], d[2]) / (2 * kPi) + 0.5) * s.width - 0.5;
   const double v = std::acos(std::clamp(d[1], -1.0, 1.0)) / kPi * s.height - 0.5;
@@ -195,7 +195,7 @@ std::array<float, 3> shown(const Sources& s, const std::array<float, 3>& n, doub
                                           2 * z * static_cast<double>(n[1]), 2 * z * z - 1};
   if (s.texel_rad() > kCoarsest * a) return radiance(s, mirrored);
   const Lobe lobe{n[0], n[1], n[2], static_cast<float>(1 / (a * a))};
-  const Reach near = reach(s, mirrored, 2 * std::atan(kWidest * a) + s.texel_rad());
+  const PixelRange near = pixels_near(s, mirrored, 2 * std::atan(kWidest * a) + s.texel_rad());
   Sums sums;
   weights.resize(static_cast<std::size_t>(s.width));
   const auto run = [&](std::size_t at, std::size_t count) {
@@ -219,7 +219,7 @@ std::array<float, 3> shown(const Sources& s, const std::array<float, 3>& n, doub
           static_cast<float>(total(sums.blue) / weight)};
 }
 
-/// Normal of texel (i, j); none where no normal's four nearest texels lie.
+/// Normal of texel (i, j); nothing for a texel that no normal needs.
 std::optional<std::array<float, 3>> normal_at(int i, int j) {
   float x = static_cast<float>(2 * i + 1) / GlossTable::kSide - 1;
   float y = static_cast<float>(2 * j + 1) / GlossTable::kSide - 1;

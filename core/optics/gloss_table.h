@@ -1,12 +1,13 @@
 #pragma once
-// What glossy paint shows of a light probe. The viewer looks straight at the canvas, so it follows
-// from the normal and the roughness alone: one table per probe. For pictures only.
+// A table of what glossy paint shows of a light probe. The viewer looks straight at the canvas, so
+// the gloss follows from the normal and the roughness alone, and one table per probe is enough. For
+// pictures only.
 
 #include <array>
 #include <vector>
 
-#include "core/field.h"
-#include "core/threads.h"
+#include "core/base/field.h"
+#include "core/base/threads.h"
 
 namespace pentimento {
 
@@ -22,7 +23,7 @@ struct GlossTable {
   std::vector<float> rgb;
 };
 
-/// The interface whose gloss is tabled; Beckmann's a, both > 0.
+/// The interface whose gloss the table holds. Roughness is a of Beckmann's distribution, > 0.
 struct GlossSurface {
   float roughness_dry = 0;
   float roughness_wet = 0;

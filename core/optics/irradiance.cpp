@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "core/check.h"
-#include "core/math/approx.h"
+#include "core/base/approx.h"
+#include "core/base/check.h"
 
 namespace pentimento {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "core/check.h"
-#include "core/math/approx.h"
+#include "core/base/approx.h"
+#include "core/base/check.h"
 
 namespace pentimento {
 namespace {

@@ -1,8 +1,9 @@
 #pragma once
 // Kubelka-Munk: what a film of paint reflects and lets through, from its absorption K and
-// scattering S, and K and S from what was seen of it. Double precision, for palettes and tests; the
-// drying of whole rows is composite.h. Pigments reach the state, hence no C library functions.
-// Forms without cancellation or overflow, equal to those of Curtis et al. 1997, sec. 5.
+// scattering S, and the inverse, K and S from the colours of a film. Double precision, for palettes
+// and tests; composite.h does whole rows. Pigments reach the state, so no C library functions are
+// used. The formulas are written without cancellation or overflow, and are equal to those of Curtis
+// et al. 1997, sec. 5.
 
 #include <array>
 #include <string>
@@ -17,7 +18,8 @@ struct KmCoefficients {
   double S = 0;
 };
 
-/// Share of the light a film sends back and lets through, without its interface; in [0,1].
+/// The shares of light that a film reflects (R) and lets through (T), without its interface; in
+/// [0,1].
 struct KmFilm {
   double R = 0;
   double T = 1;
@@ -33,7 +35,7 @@ KmCoefficients km_from_white_black(double over_white, double over_black);
 /// A film of optical thickness x >= 0; x, K, S finite. R + T <= 1 to rounding.
 KmFilm km_film(KmCoefficients paint, double x);
 
-/// One film on another: R = R1 + T1^2 R2/(1 - R1 R2), T = T1 T2/(1 - R1 R2). Not both R = 1.
+/// One film on top of another: R = R1 + T1^2 R2/(1 - R1 R2), T = T1 T2/(1 - R1 R2). Not both R = 1.
 KmFilm km_stack(KmFilm top, KmFilm below);
 
 /// Reflectance of a film on a ground of reflectance `ground` in [0,1].
@@ -43,9 +45,9 @@ double km_over(KmFilm film, double ground);
 double km_opaque(KmCoefficients paint);
 
 /// Saunderson's correction: what is seen through the interface of a paint that reflects `inside`.
-/// k1: reflection of the interface from outside; k2: from inside (model.md II.1).
+/// k1: reflection of the interface from outside; k2: from inside (docs/optics.md).
 double saunderson_seen(double inside, double k1, double k2);
-/// Its inverse.
+/// The inverse of saunderson_seen().
 double saunderson_inside(double seen, double k1, double k2);
 
 /// A pigment from its colours (linear RGB, optical thickness 1) over white and over black. Colours

@@ -11,14 +11,15 @@ namespace pentimento {
 /// canvas). `gravity` is the accelerometer's reading in the same frame: (0,0,9.81) lying face up,
 /// (0,9.81,0) held upright; its direction is the room's "up".
 ///
-/// A lamp that does not follow keeps `lamp.direction`. One that does is fixed in the room, where
-/// `lamp.direction` says it is seen from a tablet lying face up; a tablet with another "up" sees it
-/// rotated by the shortest rotation from z to there, since a turn about the vertical leaves no
-/// trace in gravity. A lamp straight above, (0,0,1), is thus the normalised gravity. Face down, the
-/// rotation is half a turn about x. Readings under 0.1 m/s^2 (free fall) tell nothing: no rotation.
+/// A lamp that does not follow gravity keeps `lamp.direction`. A lamp that follows it is fixed in
+/// the room: `lamp.direction` is its direction as seen from a tablet that lies face up. A tablet
+/// with another "up" sees the lamp rotated by the shortest rotation from z to that "up", for a turn
+/// about the vertical leaves no trace in gravity. So a lamp straight above, (0,0,1), has the
+/// direction of the reading. If the tablet lies face down, the rotation is half a turn about x. A
+/// reading under 0.1 m/s^2 (free fall) gives no direction, and nothing is rotated.
 std::array<float, 3> lamp_direction(const Lamp& lamp, std::array<float, 3> gravity);
 
-/// The same of the place of a lamp that has one: turned about the canvas's centre.
+/// The same for the position of a lamp that has one: it is turned about the canvas's centre.
 std::array<float, 3> lamp_position(const Lamp& lamp, std::array<float, 3> gravity);
 
 }  // namespace pentimento

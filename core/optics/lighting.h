@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/field.h"
+#include "core/base/field.h"
 
 namespace pentimento {
 

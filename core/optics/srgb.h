@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "core/math/approx.h"
+#include "core/base/approx.h"
 
 namespace pentimento {
 

@@ -1,7 +1,6 @@
 #pragma once
-// From scene-linear light to what a display shows: the white point, which is linear and part of
-// every picture, and the tone curve, which only pictures for a display get. Pictures only; nothing
-// here reaches the state.
+// From scene-linear light to what a display shows. The white point is linear and part of every
+// picture; the tone curve is only for pictures for a display. Nothing here reaches the state.
 
 #include <array>
 #include <optional>

@@ -4,9 +4,10 @@
 #include <array>
 #include <cmath>
 
-#include "core/check.h"
-#include "core/fluid/conservative/kernel.h"
-#include "core/math/row_exp.h"
+#include "core/base/check.h"
+#include "core/base/kernel.h"
+#include "core/base/row_exp.h"
+#include "core/model/model.h"
 #include "core/optics/spectral/band_weights.h"
 
 namespace pentimento {
@@ -14,8 +15,7 @@ namespace {
 
 /// Cells that are computed together: their sums stay in the nearest cache.
 constexpr std::size_t kChunk = 256;
-using Chunk = std::array<float, kChunk>;
-constexpr std::size_t kMostLayers = 8;
+using CellChunk = std::array<float, kChunk>;
 
 PENTIMENTO_KERNEL
 void add_scaled(const float* amount, float share, std::size_t n, float* total) {
@@ -39,7 +39,7 @@ void find_paint(const float* total, std::size_t n, float* there) {
   for (std::size_t i = 0; i < n; ++i) there[i] = total[i] > kEmptyLayerAmount ? 1.0f : 0.0f;
 }
 
-/// What K and S of a layer are multiplied with where it takes its share of the depth.
+/// The factor on K and S of a layer if optical thickness follows the layer's share of the depth.
 PENTIMENTO_KERNEL
 void share_depth(const float* depth_m, const float* occupied, const float* total,
                  float per_reference, std::size_t n, float* factor) {
@@ -82,9 +82,9 @@ void add_band(const float* R, float k1, float k2, const float* rgb, std::size_t 
 }
 
 /// One layer of a chunk that has paint somewhere.
-struct Layer {
+struct LayerColor {
   std::size_t first_amount = 0;
-  Chunk factor, there;
+  CellChunk factor, there;
 };
 
 /// The layers of the chunk that begins at cell x0.
@@ -93,17 +93,17 @@ class Layers {
   Layers(const AlbedoOptics& optics, const AlbedoCells& cells, std::size_t x0, std::size_t n)
       : cells_(cells), x0_(x0), n_(n) {
     const auto channels = static_cast<std::size_t>(optics.paint.amount.size());
-    Chunk occupied;
+    CellChunk occupied;
     occupied.fill(0);
-    std::array<Chunk, kMostLayers> totals;
+    std::array<CellChunk, kMaxLayers> totals;
     for (std::size_t first = 0; first < cells.amount.size(); first += channels) {
-      Chunk& total = totals[count_];
+      CellChunk& total = totals[count_];
       total.fill(0);
       for (std::size_t c = 0; c < channels; ++c) {
         const float share = optics.paint.amount(static_cast<Eigen::Index>(c));
         if (share != 0) add_scaled(cells.amount[first + c] + x0, share, n, total.data());
       }
-      Layer& layer = layers_[count_];
+      LayerColor& layer = layers_[count_];
       find_paint(total.data(), n, layer.there.data());
       if (std::find(layer.there.begin(), layer.there.begin() + n, 1.0f) == layer.there.begin() + n)
         continue;
@@ -122,7 +122,7 @@ class Layers {
     }
   }
 
-  /// All of them over R, which has the dry reflectance of `band`.
+  /// Lays all layers over R, which has the dry reflectance of `band`.
   void lay(const CompositeOptics& paint, Eigen::Index band, float* R) {
     for (std::size_t k = 0; k < count_; ++k) {
       K_.fill(0);
@@ -141,8 +141,8 @@ class Layers {
   const AlbedoCells& cells_;
   std::size_t x0_, n_;
   std::size_t count_ = 0;
-  std::array<Layer, kMostLayers> layers_;
-  Chunk K_, S_;
+  std::array<LayerColor, kMaxLayers> layers_;
+  CellChunk K_, S_;
 };
 
 }  // namespace
@@ -158,9 +158,10 @@ AlbedoOptics make_albedo_optics(const ChannelBasis& basis, const Model& model) {
 void albedo_row(const AlbedoOptics& optics, const AlbedoCells& cells, std::span<float> texels) {
   const std::size_t width = cells.depth_m.size();
   const auto channels = static_cast<std::size_t>(optics.paint.amount.size());
-  PENTIMENTO_CHECK(texels.size() == 4 * width && cells.amount.size() <= kMostLayers * channels);
+  PENTIMENTO_CHECK(texels.size() == 4 * width &&
+                   cells.amount.size() <= static_cast<std::size_t>(kMaxLayers) * channels);
   PENTIMENTO_CHECK(static_cast<Eigen::Index>(cells.dry.size()) == optics.rgb.cols());
-  Chunk R, red, green, blue;
+  CellChunk R, red, green, blue;
   for (std::size_t x0 = 0; x0 < width; x0 += kChunk) {
     const std::size_t n = std::min(kChunk, width - x0);
     Layers layers(optics, cells, x0, n);

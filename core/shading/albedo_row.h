@@ -1,19 +1,19 @@
 #pragma once
-// The colour of a row of cells: wet layers over the dry reflectance, band by band, as red, green
-// and blue. For pictures; what dries into the state is optics/composite.h, which this is tested
-// against.
+// Albedo: the colour of a row of cells, wet layers over the dry reflectance, band by band, as red,
+// green and blue. For pictures; it is tested against optics/composite.h, which computes what dries
+// into the state.
 
 #include <Eigen/Core>
 #include <span>
 #include <vector>
 
-#include "core/model.h"
+#include "core/model/model.h"
 #include "core/optics/channels.h"
 #include "core/optics/composite.h"
 
 namespace pentimento {
 
-/// What the colour of paint follows from.
+/// What the colour of paint depends on.
 struct AlbedoOptics {
   CompositeOptics paint;
   Eigen::Matrix3Xf rgb;  // linear light of a band that reflects all
@@ -28,7 +28,7 @@ struct AlbedoCells {
   std::vector<const float*> amount;  // layer by layer, channel by channel; none: no wet paint
 };
 
-/// Linear red, green and blue per cell, then its depth: four floats a cell.
+/// Writes four floats per cell: linear red, green and blue, then the depth (m).
 ///   per layer K x, S x as in optics/composite.h; z = sqrt(Kx (Kx + 2 Sx)), q = 1 - exp(-2z),
 ///   d = z (1 + exp(-2z)) + (Kx + Sx) q, s = Sx q, t = 2 z exp(-z)
 ///   R over g = (s (d - s g) + t^2 g) / (d (d - s g))

@@ -1,15 +1,15 @@
 #pragma once
-// The planes of a shaded picture: their names, and where the shader leaves each.
+// The planes of a shaded picture: their names, and the target where the shader writes each.
 
 #include <string>
 #include <vector>
 
+#include "core/base/result.h"
 #include "core/optics/channels.h"
-#include "core/result.h"
 
 namespace pentimento {
 
-/// What a target of the shader holds; its four values are named beside each.
+/// The kinds of the shader's targets, with the four values of each.
 enum class TargetKind {
   kPicture,     // R G B, wet
   kAlbedo,      // R G B, height

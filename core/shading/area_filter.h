@@ -17,8 +17,8 @@ struct AreaAxis {
   int last_source(int begin, int count) const;
 };
 
-/// Takes strips of the larger picture's rows, from the one that the first output row begins in on,
-/// and hands on strips of the smaller one.
+/// Takes strips of rows of the larger picture, beginning with the row in which the first output row
+/// begins, and hands on strips of the smaller picture.
 ///   out_i = sum_s |[s, s+1) n [i r, (i+1) r)| in_s / r,   r = from / to
 /// Scheme: exact for piecewise constant pixels. Stable: a mean with weights in [0,1].
 /// Source: box filter. Departs from it: means of "normal" planes are made unit vectors again.

@@ -1,5 +1,5 @@
 #pragma once
-// The table of a light probe's gloss from one picture to the next: the frames of a film have the
+// Keeps the gloss table of a light probe from picture to picture. The frames of a video have the
 // same probe, and making the table costs as much as half a picture.
 
 #include "core/optics/gloss_table.h"

@@ -13,8 +13,8 @@ constexpr double kPi = 3.14159265358979323846;
 
 int reach_cells(const CanvasGeometry& grid) {
   const double smaller = std::min(grid.width_m / grid.width, grid.height_m / grid.height);
-  const double cells = std::ceil(static_cast<double>(kHorizonReach_m) / smaller);
-  return static_cast<int>(std::clamp(cells, 2.0, static_cast<double>(kMostReach_cells)));
+  const double cells = std::ceil(static_cast<double>(kHorizonRadius_m) / smaller);
+  return static_cast<int>(std::clamp(cells, 2.0, static_cast<double>(kMostHorizonRadius_cells)));
 }
 
 /// 1, ... up to `last`, each about `ratio` times the one before.

@@ -1,20 +1,20 @@
 #pragma once
-// What the relief leaves of sky and lamps in each cell of a tile's window, by a search for the
-// horizon along lines of cells, before the tile is shaded. On the processor: its rows of neighbours
-// are read in order here, one by one in a shader.
+// Occlusion: what the relief leaves of sky and lamps in each cell of a tile's window. It is found
+// by a search for the horizon along lines of cells, before the tile is shaded. The search runs on
+// the processor, which reads rows of neighbours in order; a shader would read them one by one.
 
 #include <array>
 #include <vector>
 
-#include "core/canvas_source.h"
+#include "core/base/threads.h"
+#include "core/canvas/canvas_source.h"
 #include "core/optics/lighting.h"
-#include "core/threads.h"
 
 namespace pentimento {
 
-/// How far it looks: ridges of paint are a millimetre or two high.
-inline constexpr float kHorizonReach_m = 0.006f;
-inline constexpr int kMostReach_cells = 64;
+/// How far the search looks. Ridges of paint are a millimetre or two high.
+inline constexpr float kHorizonRadius_m = 0.006f;
+inline constexpr int kMostHorizonRadius_cells = 64;
 inline constexpr int kSkyDirections = 8;
 
 /// Cells of relief needed on every side: the reach on the axis with the smaller cells, and one for
@@ -25,11 +25,13 @@ struct HorizonLines {
   std::vector<std::array<float, 3>> sky;  // kSkyDirections times as many: right, down, 1 / distance
   std::vector<float> shadow;              // cells along the longer axis
 };
-/// Distances grow about by 2 for the sky and by 1.4 for lamps, whose shadows have edges; at most 64
-/// cells, and the same for every cell of the grid.
+/// The distances at which the search looks. They grow by about 2 for the sky, and by about 1.4 for
+/// lamps, whose shadows have edges. They are at most 64 cells, and the same for every cell of the
+/// grid.
 HorizonLines horizon_lines(const CanvasGeometry& grid);
 
-/// RGBA texels of what is seen with so many lamps that shine: the sky, then each.
+/// How many RGBA planes the result takes for so many shining lamps: one value for the sky, then one
+/// for each lamp.
 constexpr int horizon_planes(int lamps) {
   return (lamps + 4) / 4;
 }

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "core/fluid/conservative/kernel.h"
+#include "core/base/kernel.h"
 
 namespace pentimento {
 
@@ -14,7 +14,7 @@ namespace {
 constexpr float kLampSize = 0.12f;  // tangent of half the angle that a lamp takes: a soft box
 /// Cells that are searched together: their rises stay in the nearest cache.
 constexpr std::size_t kChunk = 256;
-using Chunk = std::array<float, kChunk>;
+using CellChunk = std::array<float, kChunk>;
 
 PENTIMENTO_KERNEL
 void slopes(const float* h, std::ptrdiff_t stride, float across, float down, std::size_t n,
@@ -101,12 +101,13 @@ Beside beside(const LampLine& line, float step, std::ptrdiff_t stride) {
 
 /// The lines of a chunk of cells to a near lamp, as LampLine has them.
 struct NearLines {
-  Chunk step_x, step_y, per_m, elevation;
+  CellChunk step_x, step_y, per_m, elevation;
   std::array<std::int32_t, kChunk> beside;  // from the first cell beside the line to the second
-  Chunk open;                               // 1 where nothing can hide it, else 0
+  CellChunk open;                           // 1 where nothing can hide it, else 0
 };
 
-/// `up_m`: how far the lamp is above the row, in the picture's plane; `column`: of the first cell.
+/// `up_m`: distance from the row to the lamp, upwards in the picture's plane; `column`: of the
+/// first cell.
 PENTIMENTO_KERNEL
 void aim(const HeightRows& rows, const NearLamp& lamp, int column, float up_m, std::size_t n,
          NearLines& out) {
@@ -174,7 +175,7 @@ void share_of_near(const NearLines& lines, const float* rise, std::size_t n, flo
 
 void sky_seen_row(const HeightRows& rows, const HorizonLines& lines, std::span<float> seen) {
   const std::size_t steps = lines.sky.size() / kSkyDirections;
-  Chunk right, below, rise;
+  CellChunk right, below, rise;
   for (std::size_t x0 = 0; x0 < seen.size(); x0 += kChunk) {
     const std::size_t n = std::min(kChunk, seen.size() - x0);
     const float* here = rows.cell + x0;
@@ -199,7 +200,7 @@ void lamp_seen_row(const HeightRows& rows, const HorizonLines& lines,
                    const std::array<float, 3>& direction, std::span<float> seen) {
   const LampLine line = line_to(direction, rows.dx_m, rows.dy_m);
   if (line.hidden_by_nothing) return std::fill(seen.begin(), seen.end(), 1.0f);
-  Chunk rise;
+  CellChunk rise;
   for (std::size_t x0 = 0; x0 < seen.size(); x0 += kChunk) {
     const std::size_t n = std::min(kChunk, seen.size() - x0);
     const float* here = rows.cell + x0;
@@ -217,7 +218,7 @@ void near_lamp_seen_row(const HeightRows& rows, const HorizonLines& lines, const
                         std::span<float> seen) {
   const float down = (static_cast<float>(lamp.row) + 0.5f) * rows.dy_m - lamp.half_m[1];
   NearLines near;
-  Chunk rise;
+  CellChunk rise;
   for (std::size_t x0 = 0; x0 < seen.size(); x0 += kChunk) {
     const std::size_t n = std::min(kChunk, seen.size() - x0);
     const HeightRows here = {rows.cell + x0, rows.stride, rows.dx_m, rows.dy_m};

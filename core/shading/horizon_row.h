@@ -15,7 +15,7 @@ struct HeightRows {
   float dx_m, dy_m;       // of a cell
 };
 
-/// What is seen of an even sky.
+/// The share of an even sky that each cell sees, in [0,1].
 ///   seen = mean over directions d of cos^2 e_d,
 ///   tan e_d = max(0, max_i (h(p + i) - h(p) - grad h . i) / |i|)   i: the line's cells
 /// Scheme: central differences for grad h; each direction's largest rise of a few cells. Stable:
@@ -24,8 +24,8 @@ struct HeightRows {
 /// cell, so that nothing is random and no tile differs.
 void sky_seen_row(const HeightRows& rows, const HorizonLines& lines, std::span<float> seen);
 
-/// What is seen of a lamp far away in `direction` (viewer's frame, unit length), as large as a soft
-/// box.
+/// The share that each cell sees, in [0,1], of a lamp far away in `direction` (viewer's frame, unit
+/// length). The lamp is as large as a soft box.
 ///   seen = clamp(1/2 + (tan elevation - tan e) / (2 size), 0, 1),  tan e = max_i (h(p+i) - h(p)) /
 ///   |i|
 /// Scheme: linear between the two cells beside the line. Stable: clamped.
@@ -33,7 +33,7 @@ void sky_seen_row(const HeightRows& rows, const HorizonLines& lines, std::span<f
 void lamp_seen_row(const HeightRows& rows, const HorizonLines& lines,
                    const std::array<float, 3>& direction, std::span<float> seen);
 
-/// A lamp that each cell sees elsewhere, and where the row lies.
+/// A lamp so near that each cell sees it in another direction, and the place of the row.
 struct NearLamp {
   std::array<float, 3> position_m;  // from the canvas's centre; x right, y up, z out
   std::array<float, 2> half_m;      // of the canvas

@@ -1,12 +1,12 @@
 #pragma once
-// Pictures on their way out: strips of full-width rows in scene-linear light, top to bottom, so
+// Pictures on their way out, as strips: whole rows in scene-linear light, from top to bottom, so
 // that no stage holds the whole picture.
 
 #include <string>
 #include <vector>
 
-#include "core/field.h"
-#include "core/result.h"
+#include "core/base/field.h"
+#include "core/base/result.h"
 
 namespace pentimento {
 
@@ -22,7 +22,7 @@ struct PictureStrip {
 class PictureSink {
  public:
   virtual ~PictureSink() = default;
-  /// Strips come in order and without gaps.
+  /// Takes the next strip. Strips come in order and without gaps.
   virtual Result<void> write(const PictureStrip& strip) = 0;
 };
 

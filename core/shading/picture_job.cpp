@@ -14,7 +14,8 @@ PixelRun crop_run(int first, int count, int whole) {
   return count == 0 ? PixelRun{0, whole} : PixelRun{first, count};
 }
 
-/// The textures of a tile's part of the canvas, as large as the largest tile needs.
+/// The textures that hold the part of the canvas that a picture tile shows. They are as large as
+/// the largest tile needs.
 class TileTextures {
  public:
   TileTextures(const GlFunctions& gl, const PictureLayout& layout, const ShadeScene& scene,
@@ -34,17 +35,22 @@ class TileTextures {
       amounts_.emplace(gl, TexelFormat::kRgba, width_, height_, amount_planes_);
   }
 
-  /// Gives the window that was uploaded, without the relief's border.
+  /// Uploads the cells of a picture tile. Returns the window that was uploaded, without the
+  /// relief's border.
   CellWindow upload(const AxisWindow& x, const AxisWindow& y) {
+    // Which cells each column and row of samples reads.
     columns_.upload(static_cast<int>(x.table.size() / 2), 1, x.table.data());
     rows_.upload(static_cast<int>(y.table.size() / 2), 1, y.table.data());
+    // Albedo of the paint.
     const CellWindow window{x.first_cell, y.first_cell, x.cells, y.cells};
-    pack_ground(canvas_, optics_, window, threads_, texels_);
+    pack_albedo(canvas_, optics_, window, threads_, texels_);
     ground_.upload(window.width, window.height, texels_.data());
+    // Relief, with a border for slopes and occlusion.
     const CellWindow wider{window.x - border_, window.y - border_, window.width + 2 * border_,
                            window.height + 2 * border_};
     pack_relief(canvas_, wider, threads_, relief_texels_);
     relief_.upload(wider.width, wider.height, relief_texels_.data());
+    // Amounts of the pigments, where an AOV asks for them.
     for (int plane = 0; plane < amount_planes_; ++plane) {
       pack_amounts(canvas_, plane, window, threads_, texels_);
       amounts_->upload(window.width, window.height, texels_.data(), plane);
@@ -52,7 +58,7 @@ class TileTextures {
     return window;
   }
 
-  /// What pack_relief() gave for the window uploaded last, with its border.
+  /// Result of pack_relief() for the window that was uploaded last, with its border.
   const std::vector<float>& relief_texels() const { return relief_texels_; }
 
   void bind() const {
@@ -76,7 +82,8 @@ class TileTextures {
   std::vector<float> texels_, relief_texels_;
 };
 
-/// What the relief leaves of sky and lamps in a tile's window, searched before the tile is drawn.
+/// Occlusion as textures: what the relief leaves of sky and lamps in a tile's window. It is
+/// searched before the tile is drawn.
 class HorizonTextures {
  public:
   HorizonTextures(const GlFunctions& gl, const ShadeScene& scene, const PictureLayout& layout,
@@ -88,7 +95,7 @@ class HorizonTextures {
     }
   }
 
-  /// `relief`: as the search takes it.
+  /// `relief`: as HorizonSearch::search() takes it.
   void upload(const std::vector<float>& relief, const CellWindow& window) {
     const std::vector<std::vector<float>>& seen = search_.search(relief, window);
     for (std::size_t i = 0; i < planes_.size(); ++i) {
@@ -106,7 +113,7 @@ class HorizonTextures {
   std::vector<GlTexture> planes_;
 };
 
-/// The camera's picture as a texture; nothing without one.
+/// The camera's picture as a texture; nothing if there is no picture.
 std::optional<GlTexture> reflection_texture(const GlFunctions& gl, const ReflectionMap& map) {
   const int width = map.rgb[0].width(), height = map.rgb[0].height();
   if (map.rgb[0].empty()) return std::nullopt;
@@ -133,7 +140,7 @@ std::optional<GlTexture> gloss_texture(const GlFunctions& gl, const GlossTable* 
   return texture;
 }
 
-/// Full-width rows of every plane, filled tile by tile.
+/// Rows of every plane as wide as the picture, filled tile by tile.
 class StripBuffer {
  public:
   StripBuffer(const std::vector<PlaneSource>& planes, const ShadeVariant& variant, int width,
@@ -142,7 +149,7 @@ class StripBuffer {
     for (std::size_t i = 0; i < planes.size(); ++i) fields_.emplace_back(width, rows);
   }
 
-  /// Takes the planes that target `index` holds from its RGBA texels.
+  /// Copies the planes that target `index` holds out of its RGBA texels.
   void take(int index, int x0, int width, int rows, const std::vector<float>& texels) {
     for (std::size_t i = 0; i < planes_.size(); ++i) {
       const PlaneSource& plane = planes_[i];
@@ -176,10 +183,12 @@ PictureLayout lay_out(const ShadeScene& scene, const ShadeRequest& request,
                       const std::vector<PlaneSource>& planes) {
   const CanvasGeometry& grid = scene.canvas.geometry();
   PictureLayout out;
+  // As many samples per pixel along both axes as the one that needs more.
   const int samples = std::max(samples_per_pixel(grid.width, request.width),
                                samples_per_pixel(grid.height, request.height));
   out.x = {grid.width, request.width, samples};
   out.y = {grid.height, request.height, samples};
+  // What the shader must be able to do for this scene; it is compiled for just that.
   ShadeVariant& variant = out.variant;
   variant.channels = std::max(scene.canvas.channels(), 1);
   variant.samples_per_pixel = samples;
@@ -189,6 +198,7 @@ PictureLayout lay_out(const ShadeScene& scene, const ShadeRequest& request,
   variant.lamps = static_cast<int>(shining(scene.lighting).size());
   variant.occlusion = scene.lighting.occlusion > 0;
   if (variant.occlusion) out.border = horizon_border(grid);
+  // Which target each plane is drawn to, and how the picture is cut into tiles.
   assign_targets(planes, variant);
   out.tiles = plan_tiles({out.x, out.y, crop_run(request.crop_x, request.crop_width, request.width),
                           crop_run(request.crop_y, request.crop_height, request.height),
@@ -205,6 +215,7 @@ Result<void> shade_picture(const ShadeTools& tools, const ShadeScene& scene,
   const auto out_of_memory = [] {
     return Error{ErrorCode::kLimit, "OpenGL has no memory for a tile; try a smaller one"};
   };
+  // Memory on the device, all of it before the first tile.
   TileTextures textures(gl, layout, scene, tools.threads);
   GlTargets targets(gl, tiles.width, tiles.height, layout.variant.targets);
   const std::optional<GlTexture> reflection = reflection_texture(gl, scene.lighting.reflection);
@@ -212,6 +223,7 @@ Result<void> shade_picture(const ShadeTools& tools, const ShadeScene& scene,
   std::optional<HorizonTextures> horizon;
   if (layout.variant.occlusion) horizon.emplace(gl, scene, layout, tools.threads);
   if (!targets.complete() || gl.GetError() != GL_NO_ERROR) return out_of_memory();
+  // What is the same for all tiles.
   tools.program.use();
   set_shade_uniforms(tools.program, {scene.lighting, scene.canvas.geometry(), layout.border});
 
@@ -220,6 +232,7 @@ Result<void> shade_picture(const ShadeTools& tools, const ShadeScene& scene,
   StripBuffer buffer(planes, layout.variant, width, tiles.height);
   std::vector<float> texels(4 * static_cast<std::size_t>(tiles.width) *
                             static_cast<std::size_t>(tiles.height));
+  // Tile by tile: upload the cells, draw, read the targets; a row of tiles makes a strip.
   for (const PixelRun& row : tiles.rows) {
     const AxisWindow y = axis_window(layout.y, row.first, row.count);
     for (const PixelRun& column : tiles.columns) {
@@ -239,6 +252,7 @@ Result<void> shade_picture(const ShadeTools& tools, const ShadeScene& scene,
       }
     }
     if (gl.GetError() != GL_NO_ERROR) return out_of_memory();
+    // The finished strip goes to every output.
     const PictureStrip strip = buffer.strip(row.first - top, row.count);
     for (PictureSink* sink : sinks) {
       if (auto written = sink->write(strip); !written) return written;

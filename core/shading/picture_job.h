@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/base/threads.h"
 #include "core/optics/gloss_table.h"
 #include "core/shading/aov.h"
 #include "core/shading/gl/objects.h"
@@ -10,7 +11,6 @@
 #include "core/shading/shade_program.h"
 #include "core/shading/shader.h"
 #include "core/shading/tile_plan.h"
-#include "core/threads.h"
 
 namespace pentimento {
 
@@ -22,7 +22,7 @@ struct ShadeScene {
   const Lighting& lighting;
 };
 
-/// How it is cut up and computed.
+/// How the picture is cut into tiles, and how it is computed.
 struct PictureLayout {
   SampleAxis x;
   SampleAxis y;
@@ -34,7 +34,7 @@ struct PictureLayout {
 PictureLayout lay_out(const ShadeScene& scene, const ShadeRequest& request,
                       const std::vector<PlaneSource>& planes);
 
-/// What a picture is made with; all outlive it.
+/// The tools of a picture. All references must outlive the work.
 struct ShadeTools {
   const GlFunctions& gl;
   const GlProgram& program;  // of the layout's variant
@@ -42,7 +42,9 @@ struct ShadeTools {
   const Threads& threads;
 };
 
-/// The context is current. Strips go to each sink in turn; the first failure ends it.
+/// Shades a picture tile by tile. The context must be current. Every strip goes to each sink in
+/// turn; the first failure ends the work. Errors: kLimit (no memory for a tile), and those of the
+/// sinks.
 Result<void> shade_picture(const ShadeTools& tools, const ShadeScene& scene,
                            const PictureLayout& layout, const std::vector<PlaneSource>& planes,
                            const std::vector<PictureSink*>& sinks);

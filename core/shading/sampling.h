@@ -1,6 +1,6 @@
 #pragma once
-// Where the samples of a picture lie among the cells of the state, along one axis (A38). Computed
-// from the position in the whole picture, so that a tile's numbers do not depend on the tile.
+// Where the samples of a picture lie among the cells of the canvas, along one axis (A38). They are
+// computed from the position in the whole picture, so that the numbers do not depend on the tile.
 
 #include <vector>
 

@@ -1,11 +1,10 @@
 #pragma once
-// The GLSL program for one kind of state and request: which code is compiled in, and the numbers
-// it is given.
+// The GLSL program for one kind of canvas and request: which code is compiled in, and its uniforms.
 
 #include <array>
 #include <string>
 
-#include "core/canvas_state.h"
+#include "core/canvas/canvas_state.h"
 #include "core/optics/lighting.h"
 #include "core/shading/aov.h"
 #include "core/shading/gl/objects.h"
@@ -30,7 +29,7 @@ struct ShadeVariant {
   int occlusion_planes() const { return occlusion ? horizon_planes(lamps) : 0; }
   /// RGBA texels of the channels.
   int planes() const { return (channels + 3) / 4; }
-  /// Of them, those that are uploaded: all if pigments are drawn, else none.
+  /// How many of these planes are uploaded: all if pigments are drawn, else none.
   int amount_planes() const { return target.back() < 0 ? 0 : planes(); }
   bool operator<(const ShadeVariant& other) const { return defines() < other.defines(); }
   std::string defines() const;
@@ -56,7 +55,7 @@ inline constexpr const char* kGlslVersion = "#version 330 core\n";
 
 Result<GlProgram> link_shade_program(const GlFunctions& gl, const ShadeVariant& variant);
 
-/// What the uniforms of a state's picture are set from.
+/// What the uniforms of a picture are set from.
 struct ShadeParameters {
   const Lighting& lighting;
   const CanvasGeometry& grid;

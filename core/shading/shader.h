@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "core/canvas_source.h"
-#include "core/model.h"
+#include "core/base/result.h"
+#include "core/canvas/canvas_source.h"
+#include "core/model/model.h"
 #include "core/optics/channels.h"
 #include "core/optics/lighting.h"
-#include "core/result.h"
 #include "core/shading/picture.h"
 
 namespace pentimento {

@@ -50,7 +50,7 @@ std::size_t cells(const CellWindow& window) {
 /// Rows that one thread packs with the same buffers.
 constexpr int kGrain = 8;
 
-/// The planes that a row's colour follows from.
+/// The planes from which the colour of a row follows.
 class ColourRows {
  public:
   ColourRows(const CanvasSource& canvas, const CellWindow& window, bool has_paint)
@@ -84,7 +84,7 @@ class ColourRows {
 
 }  // namespace
 
-void pack_ground(const CanvasSource& canvas, const AlbedoOptics& optics, const CellWindow& window,
+void pack_albedo(const CanvasSource& canvas, const AlbedoOptics& optics, const CellWindow& window,
                  const Threads& threads, std::vector<float>& texels) {
   texels.resize(4 * cells(window));
   const bool has_paint = !canvas.empty(WindowRows(canvas, window).on_grid());

@@ -1,17 +1,17 @@
 #pragma once
-// Parts of a canvas as texels, cells outside the grid repeating its edge.
+// Packs parts of a canvas as texels. Cells outside the grid repeat its edge.
 
 #include <vector>
 
-#include "core/canvas_source.h"
+#include "core/base/threads.h"
+#include "core/canvas/canvas_source.h"
 #include "core/shading/albedo_row.h"
-#include "core/threads.h"
 
 namespace pentimento {
 
 /// Colour of all paint, linear red, green and blue, and the depth of wet paint (m): four floats a
 /// cell.
-void pack_ground(const CanvasSource& canvas, const AlbedoOptics& optics, const CellWindow& window,
+void pack_albedo(const CanvasSource& canvas, const AlbedoOptics& optics, const CellWindow& window,
                  const Threads& threads, std::vector<float>& texels);
 /// Height (m) and thickness of all paint, dry and wet (m): two floats a cell.
 void pack_relief(const CanvasSource& canvas, const CellWindow& window, const Threads& threads,

@@ -1,4 +1,4 @@
-# The parts of OpenCV that read pictures, draw text and write films: targets OpenCVParts::core,
+# The parts of OpenCV that read pictures, draw text and write videos: targets OpenCVParts::core,
 # ::imgproc, ::imgcodecs, ::videoio.
 # OpenCV's own package file comes only with its whole development set, ten times this size.
 find_path(OpenCVParts_INCLUDE_DIR opencv2/imgcodecs.hpp PATH_SUFFIXES opencv4)

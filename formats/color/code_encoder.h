@@ -1,6 +1,6 @@
 #pragma once
-// Linear light to the integer codes of a picture, through a table: as fast as a lookup, as exact as
-// the curve itself.
+// Turns linear light into the integer codes of a picture, through a table. It is as fast as a
+// lookup and as exact as the curve itself.
 
 #include <bit>
 #include <cstdint>
@@ -10,7 +10,8 @@
 
 namespace pentimento {
 
-/// Linear light to integer codes 0..max_code, rounded to the nearest code (on the encoded scale).
+/// Encodes linear light as integer codes 0..max_code, rounded to the nearest code on the encoded
+/// scale.
 class CodeEncoder {
  public:
   /// `max_code`: 255 or 65535.

@@ -2,14 +2,14 @@
 
 #include <cmath>
 
-#include "core/math/approx.h"
+#include "core/base/approx.h"
 #include "core/optics/srgb.h"
 
 namespace pentimento {
 
 namespace {
 
-struct Entry {
+struct ProfileEntry {
   std::string_view name, title;
   Primaries primaries;
   double gamma;  // 0: the sRGB curve
@@ -18,13 +18,13 @@ struct Entry {
 constexpr double kAdobeGamma = 563.0 / 256;  // as the specification has it: 2.19921875
 
 // In the order of ColorProfile.
-constexpr std::array<Entry, 3> kEntries = {{
+constexpr std::array<ProfileEntry, 3> kEntries = {{
     {"srgb", "sRGB", {{{0.64, 0.33}, {0.30, 0.60}, {0.15, 0.06}}}, 0},
     {"display-p3", "Display P3", {{{0.680, 0.320}, {0.265, 0.690}, {0.150, 0.060}}}, 0},
     {"adobe-rgb", "Adobe RGB (1998)", {{{0.64, 0.33}, {0.21, 0.71}, {0.15, 0.06}}}, kAdobeGamma},
 }};
 
-const Entry& entry(ColorProfile profile) {
+const ProfileEntry& entry(ColorProfile profile) {
   return kEntries[static_cast<std::size_t>(profile)];
 }
 
@@ -34,8 +34,8 @@ Vector3 xyz_of(const Chromaticity& c) {
   return {c[0] / c[1], 1, (1 - c[0] - c[1]) / c[1]};
 }
 
-Matrix3 product(const Matrix3& a, const Matrix3& b) {
-  Matrix3 out{};
+ColorMatrix product(const ColorMatrix& a, const ColorMatrix& b) {
+  ColorMatrix out{};
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j)
       out[i][j] = (a[i][0] * b[0][j] + a[i][1] * b[1][j]) + a[i][2] * b[2][j];
@@ -43,8 +43,8 @@ Matrix3 product(const Matrix3& a, const Matrix3& b) {
 }
 
 /// By cofactors.
-Matrix3 inverse(const Matrix3& m) {
-  Matrix3 out{};
+ColorMatrix inverse(const ColorMatrix& m) {
+  ColorMatrix out{};
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j) {
       const std::size_t r = (j + 1) % 3, s = (j + 2) % 3, c = (i + 1) % 3, d = (i + 2) % 3;
@@ -103,15 +103,15 @@ double encode_transfer(ColorProfile profile, double v) {
   return v > 0 ? approx::pow(v, 1 / gamma) : 0;
 }
 
-Matrix3 to_xyz(ColorProfile profile) {
+ColorMatrix to_xyz(ColorProfile profile) {
   const Primaries& primaries = primaries_of(profile);
-  Matrix3 columns{};
+  ColorMatrix columns{};
   for (std::size_t c = 0; c < 3; ++c) {
     const Vector3 xyz = xyz_of(primaries[c]);
     for (std::size_t i = 0; i < 3; ++i) columns[i][c] = xyz[i];
   }
-  // Each primary as strong as makes white of the three.
-  const Matrix3 solve = inverse(columns);
+  // Each primary is as strong as it must be for the three to make white.
+  const ColorMatrix solve = inverse(columns);
   const Vector3 white = xyz_of(kWhiteD65);
   for (std::size_t c = 0; c < 3; ++c) {
     const double strength =
@@ -121,7 +121,7 @@ Matrix3 to_xyz(ColorProfile profile) {
   return columns;
 }
 
-Matrix3 between(ColorProfile from, ColorProfile to) {
+ColorMatrix between(ColorProfile from, ColorProfile to) {
   if (from == to) return {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   return product(inverse(to_xyz(to)), to_xyz(from));
 }

@@ -19,21 +19,22 @@ inline constexpr std::array<ColorProfile, 3> kColorProfiles = {
 
 /// CIE 1931 x, y.
 using Chromaticity = std::array<double, 2>;
-/// Of red, green, blue.
+/// Chromaticities of red, green and blue.
 using Primaries = std::array<Chromaticity, 3>;
 /// Row by row.
-using Matrix3 = std::array<std::array<double, 3>, 3>;
+using ColorMatrix = std::array<std::array<double, 3>, 3>;
 
 inline constexpr Chromaticity kWhiteD65 = {0.3127, 0.3290};
 
-/// "srgb", "display-p3", "adobe-rgb": what the command line says.
+/// The name on the command line: "srgb", "display-p3" or "adobe-rgb".
 std::string_view profile_name(ColorProfile profile);
 std::optional<ColorProfile> profile_named(std::string_view name);
-/// "sRGB", "Display P3", "Adobe RGB (1998)": for people.
+/// The name for people: "sRGB", "Display P3" or "Adobe RGB (1998)".
 std::string_view profile_title(ColorProfile profile);
 
 const Primaries& primaries_of(ColorProfile profile);
-/// Whose primaries these are, each coordinate within 0.001 (the published digits); white is D65.
+/// The profile that has these primaries and the white D65, each coordinate within 0.001 (the
+/// published digits). nullopt if there is none.
 std::optional<ColorProfile> profile_with(const Primaries& primaries, const Chromaticity& white);
 
 /// Linear light of the encoded value `v` in [0,1]; relative error below 1e-14.
@@ -41,9 +42,10 @@ double decode_transfer(ColorProfile profile, double v);
 /// Encoded value of the linear light `v` in [0,1]; relative error below 1e-14.
 double encode_transfer(ColorProfile profile, double v);
 
-/// Linear RGB of `profile` to CIE XYZ with Y = 1 for white; its second row weighs luminance.
-Matrix3 to_xyz(ColorProfile profile);
-/// Linear RGB of `from` to that of `to`; exactly one of a kind to itself.
-Matrix3 between(ColorProfile from, ColorProfile to);
+/// The matrix from linear RGB of `profile` to CIE XYZ, with Y = 1 for white. Its second row has the
+/// weights of luminance.
+ColorMatrix to_xyz(ColorProfile profile);
+/// The matrix from linear RGB of `from` to that of `to`; exactly the identity if both are the same.
+ColorMatrix between(ColorProfile from, ColorProfile to);
 
 }  // namespace pentimento

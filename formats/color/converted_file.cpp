@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/threads.h"
+#include "core/base/threads.h"
 
 namespace pentimento {
 
@@ -26,7 +26,7 @@ class ConvertedFile final : public PictureFile {
  private:
   std::unique_ptr<PictureFile> file_;
   std::vector<Triple> triples_;
-  Matrix3 matrix_;
+  ColorMatrix matrix_;
   Threads threads_;
 };
 

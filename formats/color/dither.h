@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-#include "core/math/random.h"
+#include "core/base/random.h"
 
 namespace pentimento {
 
@@ -20,13 +20,13 @@ inline int dither_uniform(int x, int y, int channel) {
   return static_cast<int>((bits * kStepsPerCode) >> 24);
 }
 
-/// The 8-bit code of a 16-bit one, dithered: round(v + d), d triangular in (-1, 1) codes with mean
-/// 0, the difference of this pixel's uniform number and its left neighbour's. So the mean of many
-/// pixels is v whatever v is, the noise does not depend on v, and it is weak at low frequencies
-/// across the rows, where eyes see best. Within half a code of black and white d is uniform in half
-/// a code, so that nothing is clipped: pure black and white stay clean.
-/// Source: Lipshitz, Wannamaker and Vanderkooy, Quantization and Dither: A Theoretical Survey,
-/// J. Audio Eng. Soc. 40(5), 1992 (triangular dither, and its high-pass kind).
+/// Turns a 16-bit code into a dithered 8-bit code: round(v + d). The noise d is triangular in (-1,
+/// 1) codes with mean 0: it is the difference of the uniform numbers of this pixel and of its left
+/// neighbour. So the mean of many pixels is v for every v, the noise does not depend on v, and it
+/// is weak at low frequencies along a row, where eyes see best. Within half a code of black and
+/// white d is uniform in half a code, so nothing is clipped, and pure black and white stay clean.
+/// Source: Lipshitz, Wannamaker and Vanderkooy, Quantization and Dither: A Theoretical Survey, J.
+/// Audio Eng. Soc. 40(5), 1992 (triangular dither, and its high-pass kind).
 inline int dithered_code(int code16, int x, int y, int channel) {
   constexpr int kHalf = kStepsPerCode / 2;
   const int here = dither_uniform(x, y, channel);

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <memory>
 
-#include "core/check.h"
+#include "core/base/check.h"
 
 namespace pentimento {
 
@@ -22,36 +22,36 @@ constexpr std::array<cmsTagSignature, 3> kCurves = {cmsSigRedTRCTag, cmsSigGreen
 struct CloseProfile {
   void operator()(void* profile) const { cmsCloseProfile(profile); }
 };
-using Profile = std::unique_ptr<void, CloseProfile>;
+using IccHandle = std::unique_ptr<void, CloseProfile>;
 struct FreeCurve {
   void operator()(cmsToneCurve* curve) const { cmsFreeToneCurve(curve); }
 };
-using Curve = std::unique_ptr<cmsToneCurve, FreeCurve>;
+using IccCurve = std::unique_ptr<cmsToneCurve, FreeCurve>;
 struct FreeText {
   void operator()(cmsMLU* text) const { cmsMLUfree(text); }
 };
 
-Curve curve_of(ColorProfile profile) {
-  if (profile == ColorProfile::kAdobeRgb) return Curve(cmsBuildGamma(nullptr, 563.0 / 256));
+IccCurve curve_of(ColorProfile profile) {
+  if (profile == ColorProfile::kAdobeRgb) return IccCurve(cmsBuildGamma(nullptr, 563.0 / 256));
   constexpr cmsInt32Number kLinearThenPower = 4;
   const double srgb[] = {2.4, 1 / 1.055, 0.055 / 1.055, 1 / 12.92, 0.04045};
-  return Curve(cmsBuildParametricToneCurve(nullptr, kLinearThenPower, srgb));
+  return IccCurve(cmsBuildParametricToneCurve(nullptr, kLinearThenPower, srgb));
 }
 
-void write_text(const Profile& profile, cmsTagSignature tag, std::string_view text) {
+void write_text(const IccHandle& profile, cmsTagSignature tag, std::string_view text) {
   const std::unique_ptr<cmsMLU, FreeText> words(cmsMLUalloc(nullptr, 1));
   cmsMLUsetASCII(words.get(), "en", "US", std::string(text).c_str());
   PENTIMENTO_CHECK(cmsWriteTag(profile.get(), tag, words.get()) != 0);
 }
 
-Profile make(ColorProfile of) {
+IccHandle make(ColorProfile of) {
   const Primaries& p = primaries_of(of);
   const cmsCIExyY white = {kWhiteD65[0], kWhiteD65[1], 1};
   const cmsCIExyYTRIPLE primaries = {
       {p[0][0], p[0][1], 1}, {p[1][0], p[1][1], 1}, {p[2][0], p[2][1], 1}};
-  const Curve curve = curve_of(of);
+  const IccCurve curve = curve_of(of);
   cmsToneCurve* curves[] = {curve.get(), curve.get(), curve.get()};
-  Profile profile(cmsCreateRGBProfile(&white, &primaries, curves));
+  IccHandle profile(cmsCreateRGBProfile(&white, &primaries, curves));
   PENTIMENTO_CHECK(profile != nullptr);
   cmsSetProfileVersion(profile.get(), kVersion);
   write_text(profile, cmsSigProfileDescriptionTag, profile_title(of));
@@ -59,7 +59,7 @@ Profile make(ColorProfile of) {
   return profile;
 }
 
-std::vector<std::uint8_t> bytes_of(const Profile& profile) {
+std::vector<std::uint8_t> bytes_of(const IccHandle& profile) {
   cmsUInt32Number size = 0;
   PENTIMENTO_CHECK(cmsSaveProfileToMem(profile.get(), nullptr, &size) != 0);
   std::vector<std::uint8_t> bytes(size);
@@ -67,11 +67,11 @@ std::vector<std::uint8_t> bytes_of(const Profile& profile) {
   return bytes;
 }
 
-Profile open(std::span<const std::uint8_t> bytes) {
-  return Profile(cmsOpenProfileFromMem(bytes.data(), static_cast<cmsUInt32Number>(bytes.size())));
+IccHandle open(std::span<const std::uint8_t> bytes) {
+  return IccHandle(cmsOpenProfileFromMem(bytes.data(), static_cast<cmsUInt32Number>(bytes.size())));
 }
 
-bool alike(const Profile& a, const Profile& b) {
+bool alike(const IccHandle& a, const IccHandle& b) {
   constexpr double kColorantTolerance = 0.002;  // others round or adapt to D50 a little differently
   constexpr double kCurveTolerance = 0.003;     // below a code of 8 bits
   for (std::size_t c = 0; c < 3; ++c) {
@@ -94,7 +94,7 @@ bool alike(const Profile& a, const Profile& b) {
   return true;
 }
 
-std::string title_of(const Profile& profile) {
+std::string title_of(const IccHandle& profile) {
   std::array<char, 256> text{};
   cmsGetProfileInfoASCII(profile.get(), cmsInfoDescription, "en", "US", text.data(),
                          static_cast<cmsUInt32Number>(text.size()));
@@ -105,16 +105,17 @@ std::string title_of(const Profile& profile) {
 
 std::vector<std::uint8_t> icc_profile(ColorProfile profile) {
   std::vector<std::uint8_t> bytes = bytes_of(make(profile));
-  // The library writes the present time. A fixed one, then the identity of the whole.
+  // The library writes the present time. It is replaced by a fixed time, and then the profile's
+  // identity is computed.
   constexpr std::array<std::uint8_t, kDateBytes> kDate = {7, 0xE8, 0, 1, 0, 1};  // 2024-01-01
   std::copy(kDate.begin(), kDate.end(), bytes.begin() + kDateOffset);
-  const Profile dated = open(bytes);
+  const IccHandle dated = open(bytes);
   PENTIMENTO_CHECK(dated != nullptr && cmsMD5computeID(dated.get()) != 0);
   return bytes_of(dated);
 }
 
 std::optional<IccDescription> describe_icc(std::span<const std::uint8_t> bytes) {
-  const Profile profile = open(bytes);
+  const IccHandle profile = open(bytes);
   if (profile == nullptr || cmsGetColorSpace(profile.get()) != cmsSigRgbData) return std::nullopt;
   IccDescription out;
   out.title = title_of(profile);

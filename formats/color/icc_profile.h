@@ -1,5 +1,6 @@
 #pragma once
-// ICC profiles through LittleCMS: made for what we write, recognised in what we read.
+// ICC profiles, by LittleCMS: made for the files that we write, recognised in the files that we
+// read.
 
 #include <cstdint>
 #include <optional>
@@ -12,7 +13,7 @@
 namespace pentimento {
 
 /// A matrix and curve profile (ICC.1, version 4.3): D65 adapted to D50 by Bradford, the curves as
-/// parameters. It names no date, so one LittleCMS gives the same bytes always.
+/// parameters. It names no date, so the same version of LittleCMS always gives the same bytes.
 std::vector<std::uint8_t> icc_profile(ColorProfile profile);
 
 /// What a profile of any origin says.

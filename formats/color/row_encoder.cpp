@@ -19,7 +19,7 @@ RowEncoder::RowEncoder(const ColorEncoding& encoding, int bit_depth)
       converts_(encoding.profile != ColorProfile::kSrgb),
       weights_(to_float(to_xyz(encoding.profile)[1])),
       encoder_(encoding.profile, wide_ || dithered_ ? 65535 : 255) {
-  const Matrix3 matrix = between(ColorProfile::kSrgb, encoding.profile);
+  const ColorMatrix matrix = between(ColorProfile::kSrgb, encoding.profile);
   for (std::size_t i = 0; i < 3; ++i) matrix_[i] = to_float(matrix[i]);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
-// Rows of scene-linear light (Rec. 709 primaries) to rows of a PNG: the profile's primaries, its
-// gamut, its curve, dithered or not. Pure functions of the light and the pixel's position.
+// Encodes rows of scene-linear light (Rec. 709 primaries) as rows of a PNG: with the profile's
+// primaries, gamut and curve, dithered or not. The result is a pure function of the light and of
+// the pixel's position.
 
 #include <cstdint>
 
@@ -27,7 +28,8 @@ class RowEncoder {
  public:
   /// `bit_depth`: 8 or 16.
   RowEncoder(const ColorEncoding& encoding, int bit_depth);
-  /// Row `y` to `width` interleaved RGB pixels, high byte first. False if a value is not a number.
+  /// Encodes row `y` as `width` interleaved RGB pixels, high byte first. Returns false if a value
+  /// is NaN.
   bool encode(const RgbRow& row, int width, int y, std::uint8_t* out) const;
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// Our colour profiles as OpenEXR's chromaticities, and back.
+// Converts our colour profiles to OpenEXR's chromaticities, and back.
 
 #include <ImfChromaticities.h>
 #include <ImfHeader.h>
@@ -12,7 +12,7 @@ namespace pentimento::exr {
 
 Imf::Chromaticities chromaticities_of(ColorProfile profile);
 
-/// Whose primaries and white the file says its light has; nullopt if it does not say, or others.
+/// The profile whose primaries and white the file names; nullopt if it names none, or others.
 std::optional<ColorProfile> profile_in(const Imf::Header& header);
 
 }  // namespace pentimento::exr

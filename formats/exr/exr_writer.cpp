@@ -17,7 +17,7 @@
 #include <cmath>
 #include <exception>
 
-#include "core/threads.h"
+#include "core/base/threads.h"
 #include "formats/color/converted_file.h"
 #include "formats/exr/chromaticities.h"
 #include "formats/exr/stream.h"
@@ -93,8 +93,8 @@ bool is_tiled(const ExrOptions& options) {
 
 Imf::Header make_header(const ExrOptions& options) {
   Imf::Header header(options.width, options.height);
-  // The last bits of a rendered float are noise: wavelets take eight times as long for a tenth
-  // less. Runs are what empty layers have.
+  // The last bits of a rendered float are noise: wavelet compression takes eight times as long and
+  // saves a tenth. Empty layers compress well as runs.
   header.compression() = options.full_float ? Imf::RLE_COMPRESSION : Imf::PIZ_COMPRESSION;
   if (is_tiled(options)) header.setTileDescription(Imf::TileDescription(kTile, kTile));
   for (const std::string& name : options.channels)
@@ -109,7 +109,7 @@ Imf::Header make_header(const ExrOptions& options) {
   return header;
 }
 
-/// Bands of kTile rows into lines or tiles.
+/// Writes bands of kTile rows as lines or tiles.
 class ExrOutput {
  public:
   ExrOutput(Imf::OStream& stream, const ExrOptions& options, int threads) {
@@ -223,7 +223,7 @@ Result<void> ExrFile::write(const PictureStrip& strip) {
   return {};
 }
 
-/// Decodes the whole file and compares with what was handed over.
+/// Decodes the whole file and compares it with what was handed over.
 Result<void> ExrFile::check(const std::string& temporary) const {
   Sha256 decoded;
   try {

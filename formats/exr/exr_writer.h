@@ -1,13 +1,13 @@
 #pragma once
-// OpenEXR out: scene-linear, half or float, AOV layers, chromaticities, xDensity, provenance
-// attributes; streamed and published atomically. Posters are tiled, so that programs can show a
-// part without reading the rest.
+// Writes OpenEXR: scene-linear light in half or float, AOV layers, chromaticities, xDensity,
+// provenance as attributes. The file is streamed and published atomically. Large pictures are
+// tiled, so that programs can show a part without reading the rest.
 
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "core/result.h"
+#include "core/base/result.h"
 #include "formats/color/color_profile.h"
 #include "formats/io/picture_file.h"
 
@@ -27,6 +27,7 @@ struct ExrOptions {
 /// Pictures with a longer side are written in tiles of 256 x 256 pixels.
 inline constexpr int kLongestScanlineSide = 8192;
 
+/// Errors: kIo (not writable, or it exists and `no_clobber`).
 Result<std::unique_ptr<PictureFile>> create_exr(const std::string& path, const ExrOptions& options);
 
 }  // namespace pentimento

@@ -1,6 +1,6 @@
 #pragma once
-// OpenEXR writing into a file of ours. Its failures do not throw (OpenEXR swallows some of what is
-// thrown while it closes): the file keeps the first one and publish() tells.
+// Lets OpenEXR write into an OutputFile. A failure does not throw, for OpenEXR swallows some
+// exceptions while it closes. The OutputFile keeps the first failure, and publish() returns it.
 
 #include <ImfIO.h>
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "core/check.h"
+#include "core/base/check.h"
 #include "formats/hdf5/handle.h"
 #include "formats/io/deflate.h"
 
@@ -28,7 +28,7 @@ struct Grid {
 };
 
 /// Where a chunk begins.
-struct Place {
+struct ChunkPlace {
   std::uint64_t plane = 0, y = 0, x = 0;
 };
 
@@ -59,13 +59,13 @@ std::vector<hsize_t> chunk_shape(const Grid& grid, std::size_t rank) {
   return {1, 1, grid.chunk_ny, grid.chunk_nx};
 }
 
-Place place_of(const Grid& grid, std::uint64_t chunk) {
+ChunkPlace place_of(const Grid& grid, std::uint64_t chunk) {
   return {chunk / (grid.across() * grid.down()),
           chunk / grid.across() % grid.down() * grid.chunk_ny,
           chunk % grid.across() * grid.chunk_nx};
 }
 
-std::vector<hsize_t> chunk_offset(const Place& at, const std::vector<std::uint64_t>& shape) {
+std::vector<hsize_t> chunk_offset(const ChunkPlace& at, const std::vector<std::uint64_t>& shape) {
   if (shape.size() == 3) return {at.y, at.x, 0};
   if (shape.size() == 2) return {at.y, at.x};
   return {at.plane / shape[1], at.plane % shape[1], at.y, at.x};
@@ -84,7 +84,7 @@ Bytes shuffled(const std::vector<std::uint32_t>& values) {
 
 /// The chunk's values, compressed; empty for a chunk of zero bits. Chunks at the right and lower
 /// edge are as large as the others, zeros beyond the plane.
-Bytes compressed_chunk(const RowSource& source, const Grid& grid, const Place& at, int level) {
+Bytes compressed_chunk(const RowSource& source, const Grid& grid, const ChunkPlace& at, int level) {
   const std::uint64_t rows = std::min(grid.chunk_ny, grid.ny - at.y);
   const std::uint64_t columns = std::min(grid.chunk_nx, grid.nx - at.x);
   const int x = static_cast<int>(at.x);

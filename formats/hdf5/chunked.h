@@ -1,6 +1,7 @@
 #pragma once
-// Large datasets of 4-byte values in compressed chunks: shuffled and deflated by several threads,
-// then handed to HDF5 whole. The file is an ordinary shuffle + gzip dataset for any reader.
+// Writes large datasets of 4-byte values in compressed chunks. Several threads shuffle and deflate
+// the chunks, which then go to HDF5 as they are. Any reader sees an ordinary dataset with shuffle +
+// gzip.
 
 #include <hdf5.h>
 
@@ -10,21 +11,21 @@
 #include <string>
 #include <vector>
 
-#include "core/canvas_source.h"
-#include "core/threads.h"
+#include "core/base/threads.h"
+#include "core/canvas/canvas_source.h"
 
 namespace pentimento::hdf5 {
 
-/// A dataset as a pile of rows: the last axis of `shape` (the last two, interleaved, for a shape of
-/// three) is a row, and the axis before it the row within a plane.
+/// A dataset as a list of rows. The last axis of `shape` is a row (for a shape of three axes the
+/// last two, interleaved), and the axis before it counts the rows within a plane.
 struct RowSource {
   std::vector<std::uint64_t> shape;  // (ny, nx), (ny, nx, bands) or (layers, channels, ny, nx)
-  /// Copies values of row `row` (counted through all planes) from cell x on; a cell has several
-  /// values where the shape has three axes. Called from several threads.
+  /// Copies values of row `row`, counted through all planes, from cell x on. A cell has several
+  /// values if the shape has three axes. Called from several threads.
   std::function<void(std::int64_t row, int x, std::span<std::uint32_t> out)> copy;
   /// Cells along a chunk's side; 0: chunks of whole rows.
   std::uint64_t chunk_side = 0;
-  /// May say of a part of a plane that all its values are zero bits, to save reading them.
+  /// May return true for a part of a plane whose values are all zero bits, which saves reading it.
   std::function<bool(const CellWindow&)> zero;
 };
 

@@ -15,20 +15,20 @@ std::string number_text(double value) {
   return fmt::format("{}", value);
 }
 
-/// The root's attributes, then those of /provenance that it does not have.
-Provenance all_notes(hid_t file, hid_t root) {
-  Provenance notes = hdf5::text_attributes(root);
+/// The attributes of the root, then those of /provenance that the root does not have.
+Provenance whole_checkpoint(hid_t file, hid_t root) {
+  Provenance checkpoint = hdf5::text_attributes(root);
   for (const char* name : {"step", "format_version", "detail"})
     if (const auto value = hdf5::whole_attribute(root, name))
-      notes.emplace_back(name, std::to_string(*value));
+      checkpoint.emplace_back(name, std::to_string(*value));
   for (const char* name : {"canvas_width_m", "canvas_height_m", "time_s", "steps_per_second"})
     if (const auto value = hdf5::number_attribute(root, name))
-      notes.emplace_back(name, number_text(*value));
-  if (H5Lexists(file, "/provenance", H5P_DEFAULT) <= 0) return notes;
+      checkpoint.emplace_back(name, number_text(*value));
+  if (H5Lexists(file, "/provenance", H5P_DEFAULT) <= 0) return checkpoint;
   const hdf5::Handle group(H5Gopen2(file, "/provenance", H5P_DEFAULT), H5Gclose);
   for (const auto& [key, value] : hdf5::text_attributes(group.id()))
-    if (provenance_value(notes, key).empty()) notes.emplace_back(key, value);
-  return notes;
+    if (provenance_value(checkpoint, key).empty()) checkpoint.emplace_back(key, value);
+  return checkpoint;
 }
 
 Result<FileDescription> describe_here(const std::string& path) {
@@ -46,7 +46,7 @@ Result<FileDescription> describe_here(const std::string& path) {
   out.height = static_cast<int>((*shape)[2]);
   out.width = static_cast<int>((*shape)[3]);
   out.samples = fmt::format("{} layers x {} channels", (*shape)[0], (*shape)[1]);
-  out.provenance = all_notes(file.id(), root.id());
+  out.provenance = whole_checkpoint(file.id(), root.id());
   return out;
 }
 

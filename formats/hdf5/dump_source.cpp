@@ -92,7 +92,8 @@ bool DumpSource::load(const Key& key, std::vector<std::uint32_t>& values) const 
   const std::lock_guard<std::mutex> lock(library());
   const Silence silence;
   const Handle space(H5Dget_space(datasets_[index].id()), H5Sclose);
-  // Of the same shape as what is read: otherwise HDF5 goes value by value.
+  // The memory has the same shape as the selection in the file; otherwise HDF5 copies value by
+  // value.
   const Handle memory(H5Screate_simple(static_cast<int>(rank), count.data(), nullptr), H5Sclose);
   return H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, start.data(), nullptr, count.data(),
                              nullptr) >= 0 &&
@@ -109,12 +110,12 @@ void DumpSource::make_room() const {
   }
 }
 
-const DumpSource::Tile& DumpSource::tile(const Key& key) const {
+const DumpSource::ReadTile& DumpSource::tile(const Key& key) const {
   if (const auto found = tiles_.find(key); found != tiles_.end()) {
     ages_.splice(ages_.begin(), ages_, found->second.age);
     return found->second;
   }
-  Tile made;
+  ReadTile made;
   const CanvasDataset& what = kCanvasDatasets[std::get<0>(key)];
   const bool read = load(key, made.values);
   const bool finite = what.is_integer || std::all_of(made.values.begin(), made.values.end(),
@@ -141,7 +142,7 @@ void DumpSource::read_run(std::size_t dataset, int plane, int value, int x, int 
     const int column = x / kTile, left = column * kTile;
     const int width = std::min(kTile, shape_.width - left);
     const int run = std::min(left + width - x, static_cast<int>(out.size() - done));
-    const Tile& from = tile({dataset, plane, y / kTile, column});
+    const ReadTile& from = tile({dataset, plane, y / kTile, column});
     const std::uint32_t* in = from.values.data() + ((y % kTile) * width + x - left) * n + value;
     for (int i = 0; i < run; ++i, in += n) out[done++] = *in;
     x += run;

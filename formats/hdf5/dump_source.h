@@ -1,6 +1,6 @@
 #pragma once
-// The finer canvas of a dump, read from the file part by part: what shading and comparing a poster
-// need, without ever holding all of it. For this folder only.
+// The detail canvas of a dump, read from the file part by part, so that shading and comparing large
+// pictures never hold all of it. For this folder only.
 
 #include <hdf5.h>
 
@@ -14,7 +14,7 @@
 #include <tuple>
 #include <vector>
 
-#include "core/canvas_source.h"
+#include "core/canvas/canvas_source.h"
 #include "formats/hdf5/handle.h"
 #include "formats/hdf5/layout.h"
 
@@ -36,13 +36,13 @@ class DumpSource final : public CanvasSource {
   std::int64_t step() const override { return step_; }
   void read(PlaneId plane, int x, int y, std::span<float> out) const override;
   void read_strokes(int x, int y, std::span<std::uint32_t> out) const override;
-  /// The first part that could not be read, or that has a value that is not finite.
+  /// Error for the first part that could not be read or that has a value that is not finite.
   Result<void> status() const override;
 
  private:
   /// Dataset (index in kCanvasDatasets), plane within it, row and column of tiles.
   using Key = std::tuple<std::size_t, int, int, int>;
-  struct Tile {
+  struct ReadTile {
     std::vector<std::uint32_t> values;
     std::list<Key>::iterator age;
   };
@@ -53,7 +53,7 @@ class DumpSource final : public CanvasSource {
         geometry_(geometry),
         step_(step),
         cache_bytes_(cache_bytes) {}
-  const Tile& tile(const Key& key) const;
+  const ReadTile& tile(const Key& key) const;
   bool load(const Key& key, std::vector<std::uint32_t>& values) const;
   void make_room() const;
   /// Values `value`, `value` + n, ... of the n that each cell has.
@@ -68,7 +68,7 @@ class DumpSource final : public CanvasSource {
   Handle file_;
   std::vector<Handle> datasets_;
   mutable std::mutex mutex_;  // of what follows
-  mutable std::map<Key, Tile> tiles_;
+  mutable std::map<Key, ReadTile> tiles_;
   mutable std::list<Key> ages_;  // the latest used first
   mutable std::size_t held_bytes_ = 0;
   mutable std::optional<Error> problem_;

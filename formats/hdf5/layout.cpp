@@ -4,19 +4,19 @@
 #include <cstring>
 #include <string_view>
 
-#include "core/check.h"
+#include "core/base/check.h"
 
 namespace pentimento::hdf5 {
 
 namespace {
 
-enum class Kind { kPlane, kReflectance, kPigment };
+enum class DatasetKind { kPlane, kReflectance, kPigment };
 
-Kind kind_of(const CanvasDataset& dataset) {
+DatasetKind kind_of(const CanvasDataset& dataset) {
   const std::string_view name = dataset.name;
-  if (name == "/canvas/reflectance") return Kind::kReflectance;
-  if (name == "/layers/pigment") return Kind::kPigment;
-  return Kind::kPlane;
+  if (name == "/canvas/reflectance") return DatasetKind::kReflectance;
+  if (name == "/layers/pigment") return DatasetKind::kPigment;
+  return DatasetKind::kPlane;
 }
 
 /// The plane that a dataset of one plane of floats stands for.
@@ -73,9 +73,9 @@ std::vector<std::uint64_t> shape_of(const CanvasShape& canvas, const CanvasDatas
   const auto ny = static_cast<std::uint64_t>(canvas.height);
   const auto nx = static_cast<std::uint64_t>(canvas.width);
   switch (kind_of(dataset)) {
-    case Kind::kReflectance:
+    case DatasetKind::kReflectance:
       return {ny, nx, static_cast<std::uint64_t>(canvas.bands)};
-    case Kind::kPigment:
+    case DatasetKind::kPigment:
       return {static_cast<std::uint64_t>(canvas.layers),
               static_cast<std::uint64_t>(canvas.channels), ny, nx};
     default:
@@ -84,25 +84,25 @@ std::vector<std::uint64_t> shape_of(const CanvasShape& canvas, const CanvasDatas
 }
 
 int cell_values(const CanvasShape& canvas, const CanvasDataset& dataset) {
-  return kind_of(dataset) == Kind::kReflectance ? canvas.bands : 1;
+  return kind_of(dataset) == DatasetKind::kReflectance ? canvas.bands : 1;
 }
 
 std::int64_t row_count(const CanvasSource& canvas, const CanvasDataset& dataset) {
   const std::int64_t ny = canvas.geometry().height;
-  return kind_of(dataset) == Kind::kPigment ? ny * canvas.layers() * canvas.channels() : ny;
+  return kind_of(dataset) == DatasetKind::kPigment ? ny * canvas.layers() * canvas.channels() : ny;
 }
 
 void copy_cells(const CanvasSource& canvas, const CanvasDataset& dataset, std::int64_t row, int x,
                 std::span<std::uint32_t> out) {
   const int ny = canvas.geometry().height;
   const int y = static_cast<int>(row % ny);
-  const Kind kind = kind_of(dataset);
+  const DatasetKind kind = kind_of(dataset);
   if (dataset.is_derived) return copy_height(canvas, x, y, out);
   if (dataset.is_integer) return canvas.read_strokes(x, y, out);
-  if (kind == Kind::kReflectance) return copy_reflectance(canvas, x, y, out);
+  if (kind == DatasetKind::kReflectance) return copy_reflectance(canvas, x, y, out);
   const int plane = static_cast<int>(row / ny);
   read_bits(canvas,
-            kind == Kind::kPigment
+            kind == DatasetKind::kPigment
                 ? pigment_plane(plane / canvas.channels(), plane % canvas.channels())
                 : plane_of(dataset),
             x, y, out);
@@ -114,20 +114,21 @@ void store_row(CanvasState& state, const CanvasDataset& dataset, std::int64_t ro
                std::span<const std::uint32_t> in) {
   const int ny = state.geometry.height;
   const int y = static_cast<int>(row % ny);
-  const Kind kind = kind_of(dataset);
+  const DatasetKind kind = kind_of(dataset);
   PENTIMENTO_CHECK(!dataset.is_derived);
   if (dataset.is_integer) {
     std::memcpy(state.stroke.row(y), in.data(), in.size() * sizeof(std::uint32_t));
     return;
   }
-  if (kind == Kind::kReflectance) {
+  if (kind == DatasetKind::kReflectance) {
     const auto bands = static_cast<std::size_t>(state.bands);
     for (std::size_t i = 0; i < in.size(); ++i)
       state.reflectance[i % bands].row(y)[i / bands] = std::bit_cast<float>(in[i]);
     return;
   }
-  Field<float>& plane = kind == Kind::kPigment ? state.pigment[static_cast<std::size_t>(row / ny)]
-                                               : pentimento::plane_of(state, plane_of(dataset));
+  Field<float>& plane = kind == DatasetKind::kPigment
+                            ? state.pigment[static_cast<std::size_t>(row / ny)]
+                            : pentimento::plane_of(state, plane_of(dataset));
   const std::uint32_t flip = points_down(dataset) ? kSign : 0;
   for (std::size_t x = 0; x < in.size(); ++x) plane.row(y)[x] = std::bit_cast<float>(in[x] ^ flip);
 }

@@ -1,6 +1,6 @@
 #pragma once
-// The names in a state dump (docs/state-format.md), shared by writer and reader, and the planes of
-// a canvas in the form the dump has them.
+// The names in a state dump (docs/state-format.md), for writer and reader, and the planes of a
+// canvas in the form that the dump has.
 
 #include <array>
 #include <cstdint>
@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "core/canvas_source.h"
+#include "core/canvas/canvas_source.h"
 
 namespace pentimento::hdf5 {
 
@@ -34,7 +34,7 @@ inline constexpr std::array<CanvasDataset, 9> kCanvasDatasets = {{
     {"/fluid/height", "m", "height of the surface: base + depth", false, true},
 }};
 
-/// The measures that all shapes follow from.
+/// The numbers from which all shapes follow.
 struct CanvasShape {
   int width = 0, height = 0;  // cells
   int layers = 0, channels = 0, bands = 0;
@@ -49,17 +49,17 @@ int cell_values(const CanvasShape& canvas, const CanvasDataset& dataset);
 /// Rows of the whole dataset: `row` counts through all planes, top to bottom, plane after plane.
 std::int64_t row_count(const CanvasSource& canvas, const CanvasDataset& dataset);
 
-/// Copies cells x, x + 1, ... of one row as the dump has them (velocity_y negated, reflectance
-/// interleaved); `out` holds whole cells.
+/// Copies the cells x, x + 1, ... of one row in the dump's form (velocity_y negated, reflectance
+/// interleaved). The size of `out` is a whole number of cells.
 void copy_cells(const CanvasSource& canvas, const CanvasDataset& dataset, std::int64_t row, int x,
                 std::span<std::uint32_t> out);
-/// Neither infinite nor NaN, of the bits of a float.
+/// Whether the float with these bits is neither infinite nor NaN.
 constexpr bool is_finite(std::uint32_t bits) {
   constexpr std::uint32_t kExponent = 0x7F800000u;
   return (bits & kExponent) != kExponent;
 }
 
-/// A whole row the other way. Not for derived datasets.
+/// Copies a whole row from the dump's form into the state. Not for derived datasets.
 void store_row(CanvasState& state, const CanvasDataset& dataset, std::int64_t row,
                std::span<const std::uint32_t> in);
 

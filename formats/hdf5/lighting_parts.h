@@ -1,7 +1,7 @@
 #pragma once
-// The parts of /lighting that dumps did not always have: a place of the first lamp, further lamps,
-// varnish, occlusion, white point and tone curve. What a dump lacks has its default. For the .cpp
-// files of this folder only.
+// The parts of /lighting that older dumps do not have: the position of the first lamp, further
+// lamps, varnish, occlusion, white point and tone curve. A part that is missing has its default.
+// For the .cpp files of this folder only.
 
 #include <hdf5.h>
 
@@ -11,12 +11,15 @@
 
 namespace pentimento::hdf5 {
 
-/// /lighting/lamp_position and /lighting/more_lamps, where there is something to say.
+/// Writes /lighting/lamp_position and /lighting/more_lamps if a lamp has a position or there is
+/// more than one. False if HDF5 failed.
 bool write_lamps(hid_t file, const std::vector<Lamp>& lamps);
-/// The first lamp is there already. False: datasets of a wrong shape.
+/// Reads what write_lamps() wrote. The first lamp must be in `lamps` already. False: datasets of a
+/// wrong shape.
 bool read_lamps(hid_t file, std::vector<Lamp>& lamps);
 
-/// False: a value that no picture can be shaded with.
+/// Reads varnish, occlusion, white point and tone curve. False: a value with which no picture can
+/// be shaded.
 bool read_development(hid_t lighting, Lighting& light);
 
 }  // namespace pentimento::hdf5

@@ -12,7 +12,7 @@ namespace pentimento::hdf5 {
 
 namespace {
 
-/// HDF5's part first, as it wants it.
+/// HDF5's own part must come first.
 struct DriverFile {
   H5FD_t base;
   OutputFile* output;
@@ -20,7 +20,7 @@ struct DriverFile {
   haddr_t end_of_file;
 };
 
-/// What travels in the access list.
+/// The driver's information in the access list.
 struct DriverInfo {
   OutputFile* output;
 };
@@ -62,7 +62,7 @@ haddr_t end_of_file(const H5FD_t* file, H5FD_mem_t) {
   return file_of(file).end_of_file;
 }
 
-/// What was never written reads as zeros, as it does after a failure.
+/// Bytes that were never written read as zeros, and so do all bytes after a failure.
 herr_t read_file(H5FD_t* file, H5FD_mem_t, hid_t, haddr_t address, std::size_t size, void* buffer) {
   std::memset(buffer, 0, size);
   file_of(file).output->read_at(address, buffer, size);

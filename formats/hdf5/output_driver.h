@@ -1,7 +1,7 @@
 #pragma once
-// HDF5 writing straight into a file of ours, for dumps that do not fit in memory. libhdf5 does not
-// withstand a write that fails (it crashes while it closes), so it is never told: the file keeps
-// the first failure, and OutputFile::complete() tells. For this folder only.
+// Lets HDF5 write straight into an OutputFile, for dumps that do not fit in memory. libhdf5 crashes
+// while it closes after a write that failed, so it is not told of failures. The OutputFile keeps
+// the first failure, and OutputFile::complete() returns it. For this folder only.
 
 #include <hdf5.h>
 
@@ -14,7 +14,7 @@ namespace pentimento::hdf5 {
 class OutputDriver {
  public:
   explicit OutputDriver(OutputFile& output);
-  /// A new HDF5 file, to be closed before the driver; not ok() for want of memory.
+  /// A new HDF5 file, to be closed before the driver. Not ok() if there is no memory.
   Handle create();
 
  private:

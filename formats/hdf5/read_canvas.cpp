@@ -7,6 +7,7 @@
 #include <bit>
 #include <functional>
 
+#include "core/model/model.h"
 #include "formats/hdf5/handle.h"
 #include "formats/hdf5/read_small.h"
 
@@ -16,7 +17,6 @@ namespace {
 
 using Shape = std::vector<std::uint64_t>;
 
-constexpr std::uint64_t kMostLayers = 8;
 constexpr std::uint64_t kMostSide = 65536;  // of the reflected picture
 constexpr std::uint64_t kMostPlanes = std::uint64_t{1} << 28;
 constexpr std::uint64_t kBlockValues = std::uint64_t{1} << 20;  // read at once
@@ -77,7 +77,8 @@ bool for_each_row(hid_t file, const std::string& name, const Shape& shape, hid_t
       const std::uint64_t rows = std::min(block, ny - y);
       hsize_t count[4] = {};
       if (!select_rows(space.id(), shape, plane * ny + y, rows, count)) return false;
-      // Of the same shape as what is read: otherwise HDF5 goes value by value.
+      // The memory has the same shape as the selection in the file; otherwise HDF5 copies value by
+      // value.
       const Handle memory(H5Screate_simple(static_cast<int>(rank), count, nullptr), H5Sclose);
       if (H5Dread(dataset.id(), type, memory.id(), space.id(), H5P_DEFAULT, values.data()) < 0)
         return false;
@@ -108,8 +109,8 @@ Result<CanvasShape> canvas_shape(const CanvasGroup& from, const ShapeLimits& lim
     return Error{
         ErrorCode::kLimit,
         fmt::format("{}: {} x {} cells in {} planes is more than is read", path, nx, ny, planes)};
-  if (layers < 1 || layers > kMostLayers)
-    return bad(path, fmt::format("{} layers, must be 1 to {}", layers, kMostLayers));
+  if (layers < 1 || layers > std::uint64_t{kMaxLayers})
+    return bad(path, fmt::format("{} layers, must be 1 to {}", layers, kMaxLayers));
   if ((*bands)[2] < 1) return bad(path, group + "/canvas/reflectance has no bands");
   const CanvasShape shape = {static_cast<int>(nx), static_cast<int>(ny), static_cast<int>(layers),
                              static_cast<int>(channels), static_cast<int>((*bands)[2])};

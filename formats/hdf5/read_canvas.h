@@ -1,17 +1,18 @@
 #pragma once
-// The canvas of a state dump: shapes checked, then read row by row. For this folder only.
+// Reads the canvas of a state dump: checks the shapes, then reads row by row. For this folder only.
 
 #include <hdf5.h>
 
 #include <string>
 
-#include "core/canvas_state.h"
-#include "core/result.h"
+#include "core/base/result.h"
+#include "core/canvas/canvas_state.h"
 #include "formats/hdf5/layout.h"
 
 namespace pentimento::hdf5 {
 
-/// Where a canvas is: an open file, what it is called, and "" or the group that its groups are in.
+/// Where a canvas lies: an open file, the file's name for messages, and the group that holds the
+/// canvas's groups, "" for the root.
 struct CanvasGroup {
   hid_t file;
   const std::string& path;
@@ -32,7 +33,7 @@ Result<CanvasState> empty_canvas(const CanvasGroup& from);
 /// Fills the dataset's planes. Errors: kBadInput (cannot be read, a value that is not finite).
 Result<void> read_canvas(const CanvasGroup& from, const CanvasDataset& dataset, CanvasState& state);
 
-/// Rows of a (ny, nx, 3) dataset of float into three planes.
+/// Reads a (ny, nx, 3) dataset of floats into three planes.
 Result<std::array<Field<float>, 3>> read_rgb_planes(hid_t file, const std::string& path,
                                                     const std::string& name);
 

@@ -1,6 +1,6 @@
 #pragma once
-// Attributes and small datasets of a file that may be anything: nothing is believed before it is
-// checked. For the .cpp files of this folder only.
+// Reads attributes and small datasets of a file that may hold anything, so everything is checked. A
+// function returns nullopt if there is no such thing. For the .cpp files of this folder only.
 
 #include <hdf5.h>
 
@@ -25,13 +25,13 @@ bool has_dataset(hid_t file, const std::string& name);
 /// The dataset's shape; nothing if there is no such dataset.
 std::optional<std::vector<std::uint64_t>> dataset_shape(hid_t file, const std::string& name);
 
-/// Nothing unless there is such a dataset of exactly this shape.
+/// The values of a dataset of exactly this shape; nullopt if there is none.
 std::optional<std::vector<double>> read_doubles(hid_t file, const std::string& name,
                                                 const std::vector<std::uint64_t>& shape);
-/// The same of whole numbers.
+/// The same for whole numbers.
 std::optional<std::vector<std::uint32_t>> read_words(hid_t file, const std::string& name,
                                                      const std::vector<std::uint64_t>& shape);
-/// Nothing unless there is a list of at most `most` strings.
+/// A list of at most `most` strings; nullopt if there is none.
 std::optional<std::vector<std::string>> read_strings(hid_t file, const std::string& name,
                                                      std::size_t most);
 

@@ -10,17 +10,17 @@
 #include <cstring>
 #include <string_view>
 
+#include "formats/hdf5/detail_checkpoint.h"
 #include "formats/hdf5/dump_source.h"
 #include "formats/hdf5/handle.h"
 #include "formats/hdf5/layout.h"
 #include "formats/hdf5/lighting_parts.h"
-#include "formats/hdf5/notes.h"
 #include "formats/hdf5/read_canvas.h"
 #include "formats/hdf5/read_small.h"
 #include "formats/hdf5/rehearsal.h"
 #include "formats/hdf5/sleep.h"
 #include "formats/hdf5/state_dump.h"
-#include "formats/log/model_fields.h"
+#include "formats/log/tables/model_fields.h"
 
 namespace pentimento {
 
@@ -31,7 +31,7 @@ using hdf5::Handle;
 constexpr std::size_t kMostNames = 65536;
 constexpr std::int64_t kMostDetail = 32;
 constexpr std::size_t kCacheBytes = std::size_t{256} << 20;
-// The finer canvas is never held whole.
+// The detail canvas is never held whole.
 constexpr hdf5::ShapeLimits kFineLimits = {1 << 20, std::uint64_t{1} << 38, std::uint64_t{1} << 44};
 constexpr std::string_view kSignature = "\x89HDF\r\n\x1A\n";
 
@@ -42,7 +42,7 @@ class StateReader {
       : path_(path), file_(file), root_(H5Gopen2(file, "/", H5P_DEFAULT), H5Gclose) {}
 
   Result<StateDump> read();
-  /// That the finer canvas has the hash it should have.
+  /// Checks that the detail canvas has the hash that the dump names.
   Result<void> check_fine(const StateDump& dump) const;
 
  private:
@@ -101,7 +101,7 @@ Result<void> StateReader::read_root(StateDump& dump) const {
   return {};
 }
 
-/// A parameter that the dump does not have keeps its default: it joined later.
+/// A parameter that the dump does not have is newer than the dump, and keeps its default.
 Result<void> StateReader::read_model(Model& model) const {
   for (const log::ModelField& field : log::model_fields()) {
     const std::string name(field.name);
@@ -146,7 +146,7 @@ Result<void> StateReader::read_basis(StateDump& dump) const {
   return {};
 }
 
-/// None are positive where the bands are red, green and blue.
+/// If the bands are red, green and blue, no wavelength is positive.
 Result<void> StateReader::read_wavelengths(const std::vector<double>& wavelength_m,
                                            StateDump& dump) const {
   constexpr double kDigits = 1e6;  // of a nm: the way to metres and back rounds
@@ -261,10 +261,10 @@ Result<void> StateReader::open_fine(StateDump& dump) const {
   auto source = hdf5::DumpSource::open(path_, *shape, fine, guide.step, kCacheBytes);
   if (!source) return source.error();
   dump.fine = std::move(*source);
-  Result<std::optional<DetailNotes>> notes =
-      hdf5::read_notes({file_, path_, ""}, {guide, dump.detail});
-  if (!notes) return notes.error();
-  dump.notes = std::move(*notes);
+  Result<std::optional<DetailCheckpoint>> checkpoint =
+      hdf5::read_checkpoint({file_, path_, ""}, {guide, dump.detail});
+  if (!checkpoint) return checkpoint.error();
+  dump.checkpoint = std::move(*checkpoint);
   return {};
 }
 
@@ -293,8 +293,8 @@ Result<StateDump> StateReader::read() {
   if (const Result<void> basis = read_basis(dump); !basis) return basis.error();
   if (const Result<void> light = read_lighting(dump.lighting); !light) return light.error();
   if (H5Lexists(file_, "/provenance", H5P_DEFAULT) > 0) {
-    const Handle notes(H5Gopen2(file_, "/provenance", H5P_DEFAULT), H5Gclose);
-    dump.provenance = hdf5::text_attributes(notes.id());
+    const Handle checkpoint(H5Gopen2(file_, "/provenance", H5P_DEFAULT), H5Gclose);
+    dump.provenance = hdf5::text_attributes(checkpoint.id());
   }
   if (const Result<void> guide = read_guide(dump, from); !guide) return guide.error();
   if (detail > 1) {
@@ -319,7 +319,7 @@ Result<void> check_signature(const std::string& path) {
   return {};
 }
 
-/// `whole`: the values of the finer canvas too, which are read when they are needed.
+/// `whole`: the values of the detail canvas too, which are read when they are needed.
 Result<StateDump> read_here(const std::string& path, bool whole) {
   const hdf5::Silence silence;
   const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
@@ -338,7 +338,7 @@ Result<StateDump> read_state(const std::string& path) {
     return signed_file.error();
   const Result<bool> right = hdf5::rehearse(path, [&] { return read_here(path, true).ok(); });
   if (!right) return right.error();
-  // What was found right need not be checked twice.
+  // A file that was found right need not be checked again.
   return read_here(path, !*right);
 }
 

@@ -6,12 +6,12 @@
 #include <functional>
 #include <string>
 
-#include "core/result.h"
+#include "core/base/result.h"
 
 namespace pentimento::hdf5 {
 
-/// Runs `read` in a child of this process and tells what it returned. Errors: kBadInput with `path`
-/// if the child dies or takes longer than a dump can take; kIo if there can be no child.
+/// Runs `read` in a child of this process and returns what it returned. Errors: kBadInput with
+/// `path` if the child dies or takes longer than any dump can take; kIo if no child can be started.
 Result<bool> rehearse(const std::string& path, const std::function<bool()>& read);
 
 }  // namespace pentimento::hdf5

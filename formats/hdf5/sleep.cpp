@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/fluid/conservative/tiles.h"
+#include "core/fluid/conservative/tiles/sleep_tiles.h"
 #include "formats/hdf5/read_small.h"
 #include "formats/hdf5/write_small.h"
 
@@ -51,7 +51,7 @@ Result<void> read_sleep(const CanvasGroup& from, const Model& model, CanvasState
   state.sleep.clear();
   const std::string name = from.group + kSleepName;
   if (!has_dataset(from.file, name)) return {};
-  const conservative::Tiles tiles(state.geometry, model.sleep_tile_m);
+  const conservative::SleepTiles tiles(state.geometry, model.sleep_tile_m);
   const auto needed = sleep_shape(static_cast<std::size_t>(tiles.count()) * kSleepValues);
   const auto found = dataset_shape(from.file, name);
   const auto bad = [&](const std::string& what) {

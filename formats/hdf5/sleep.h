@@ -1,33 +1,35 @@
 #pragma once
-// What sleeps, in a state dump: CanvasState::sleep as a table of one row per tile, y up. For this
-// folder only.
+// Which tiles sleep, in a state dump: CanvasState::sleep as a table with a row per tile, y up. For
+// this folder only.
 
 #include <hdf5.h>
 
 #include <string>
 #include <vector>
 
-#include "core/canvas_state.h"
-#include "core/model.h"
-#include "core/result.h"
+#include "core/base/result.h"
+#include "core/canvas/canvas_state.h"
+#include "core/model/model.h"
 #include "formats/hdf5/read_canvas.h"
 
 namespace pentimento::hdf5 {
 
-/// Within the group of its canvas.
+/// Name of the dataset within the group of its canvas.
 inline constexpr const char* kSleepName = "/fluid/asleep";
 
-/// (tiles, values of a tile).
+/// Shape of the dataset: (tiles, values of a tile).
 std::vector<std::uint64_t> sleep_shape(std::size_t values);
 
-/// The values as the dump has them.
+/// CanvasState::sleep in the form that the dump has.
 std::vector<float> sleep_to_dump(const CanvasState& state);
 
-/// Nothing is written where nothing sleeps: an absent dataset means that all is awake.
+/// Writes the dataset. If nothing sleeps, nothing is written: a dump without the dataset is all
+/// awake.
 bool write_sleep(hid_t file, const std::string& group, const CanvasState& state);
 
-/// Fills `state.sleep`; `state` has its geometry, metres too, and `model` is the dump's.
-/// Errors: kBadInput (not a row for each tile that this canvas has in this model, not finite).
+/// Fills `state.sleep`. `state` has its geometry already, in metres too; `model` is the dump's.
+/// Errors: kBadInput (the number of rows is not that of the tiles that this model gives this
+/// canvas, or a value is not finite).
 Result<void> read_sleep(const CanvasGroup& from, const Model& model, CanvasState& state);
 
 }  // namespace pentimento::hdf5

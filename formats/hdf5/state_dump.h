@@ -1,18 +1,19 @@
 #pragma once
-// The HDF5 state dump of docs/state-format.md: everything needed to shade again, to compare and to
-// go on. Written as a core image, then published atomically; success is our verified rename.
+// The HDF5 state dump of docs/state-format.md: everything that is needed to shade again, to compare
+// and to go on. Its file appears under its name only when it is whole and has been read back
+// (OutputFile).
 
 #include <memory>
 #include <optional>
 #include <string>
 
-#include "core/canvas_source.h"
-#include "core/detail/detail_notes.h"
-#include "core/model.h"
+#include "core/base/result.h"
+#include "core/base/threads.h"
+#include "core/canvas/canvas_source.h"
+#include "core/detail/store/detail_checkpoint.h"
+#include "core/model/model.h"
 #include "core/optics/channels.h"
 #include "core/optics/lighting.h"
-#include "core/result.h"
-#include "core/threads.h"
 #include "formats/io/output_file.h"
 #include "formats/io/picture_file.h"
 
@@ -20,12 +21,12 @@ namespace pentimento {
 
 struct StateDump {
   CanvasState state;  // the guide: of the simulation's own grid
-  /// At detail k > 1 the k times finer canvas, which is what the dump is of; else nothing. The
-  /// reader's reads from the file, part by part.
+  /// At a detail above 1, the detail canvas, of which the dump is; else nullptr. After read_state()
+  /// it reads from the file, part by part.
   int detail = 1;
   std::shared_ptr<const CanvasSource> fine;
-  /// What `fine` keeps beside its planes, to go on from it. None: it can be looked at only.
-  std::optional<DetailNotes> notes;
+  /// The checkpoint that goes with `fine`. Without it a replay cannot go on from the dump.
+  std::optional<DetailCheckpoint> checkpoint;
   Model model;
   ChannelBasis basis;
   std::vector<Pigment> palette;
@@ -50,24 +51,25 @@ struct DumpOptions {
 
 /// How a dump names itself, and the newest version known here.
 inline constexpr const char* kStateFormat = "pentimento-state";
-inline constexpr int kStateVersion = 2;  // 2: with a finer canvas; without, 1 is written
-/// Of the hash's first line: what is hashed has not changed since.
+inline constexpr int kStateVersion = 2;  // 2: with a detail canvas; without, 1 is written
+/// The version in the first line of what is hashed. It has not changed since version 1 of the dump.
 inline constexpr int kHashVersion = 1;
 
 /// SHA-256 (hex) of the state's values, as docs/state-format.md defines it: the same for any
 /// number of threads, chunking and file.
 std::string state_sha256(const CanvasState& state);
-/// The same of the planes alone: of a canvas on which nothing sleeps.
+/// The same for a canvas on which nothing sleeps, from its planes alone.
 std::string state_sha256(const CanvasSource& canvas, const Threads& threads = Threads(1));
 
-/// The dump's file made whole under a temporary name; OutputFile::publish() gives it its own.
-/// Without the .xdmf. Errors: kIo, kLimit, kUsage.
+/// Writes the dump's file whole under a temporary name; OutputFile::publish() gives it its own
+/// name. Without the .xdmf file. Errors: kIo, kLimit, kUsage.
 Result<std::unique_ptr<OutputFile>> complete_state(const std::string& path, const StateDump& dump,
                                                    const DumpOptions& options);
 
 Result<Published> write_state(const std::string& path, const StateDump& dump,
                               const DumpOptions& options);
-/// Errors: kBadInput with the reason (not a dump, newer version, wrong shape, a hash that differs).
+/// Reads a dump. Errors: kIo; kBadInput with the reason (not a dump, newer version, wrong shape, a
+/// hash that differs).
 Result<StateDump> read_state(const std::string& path);
 
 }  // namespace pentimento

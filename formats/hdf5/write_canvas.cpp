@@ -10,7 +10,8 @@
 namespace pentimento::hdf5 {
 
 namespace {
-/// Where there is no paint these are +0 in every bit. (Velocity is not: upwards is negated.)
+/// Where there is no paint, all bits of these datasets are zero. (Not those of velocity_y, which is
+/// negated.)
 bool is_paint(const CanvasDataset& what) {
   const std::string_view name = what.name;
   return name == "/fluid/depth" || name == "/layers/pigment";

@@ -1,12 +1,12 @@
 #pragma once
-// The planes of a canvas into a dump. For this folder only.
+// Writes the planes of a canvas into a dump. For this folder only.
 
 #include <hdf5.h>
 
 #include <string>
 
-#include "core/canvas_source.h"
-#include "core/threads.h"
+#include "core/base/threads.h"
+#include "core/canvas/canvas_source.h"
 
 namespace pentimento::hdf5 {
 

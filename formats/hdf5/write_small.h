@@ -1,6 +1,6 @@
 #pragma once
-// Attributes and small datasets. For the .cpp files of this folder only. A failure returns false;
-// HDF5 in memory fails only for want of memory.
+// Writes attributes and small datasets. For the .cpp files of this folder only. A function returns
+// false on failure; HDF5 in memory fails only if there is no more memory.
 
 #include <hdf5.h>
 
@@ -17,7 +17,7 @@ bool set_attribute(hid_t object, const std::string& name, double value);
 bool set_attribute(hid_t object, const std::string& name, float value);
 bool set_attribute(hid_t object, const std::string& name, std::int64_t value);
 
-/// `units` and `long_name`, the attributes of every dataset.
+/// Sets `units` and `long_name`, the attributes of every dataset.
 bool describe(hid_t dataset, const char* units, const char* long_name);
 
 struct SmallDataset {

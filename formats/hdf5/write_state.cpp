@@ -3,12 +3,12 @@
 
 #include <string_view>
 
+#include "core/base/threads.h"
 #include "core/optics/tone.h"
-#include "core/threads.h"
 #include "formats/hdf5/chunked.h"
+#include "formats/hdf5/detail_checkpoint.h"
 #include "formats/hdf5/handle.h"
 #include "formats/hdf5/lighting_parts.h"
-#include "formats/hdf5/notes.h"
 #include "formats/hdf5/output_driver.h"
 #include "formats/hdf5/read_state.h"
 #include "formats/hdf5/sleep.h"
@@ -18,7 +18,7 @@
 #include "formats/hdf5/xdmf.h"
 #include "formats/io/provenance.h"
 #include "formats/io/publish.h"
-#include "formats/log/model_fields.h"
+#include "formats/log/tables/model_fields.h"
 
 namespace pentimento {
 
@@ -32,7 +32,7 @@ constexpr std::size_t kImageGrowth = std::size_t{4} << 20;
 constexpr const char* kGroups[] = {"/fluid",   "/canvas",   "/layers",
                                    "/palette", "/lighting", "/provenance"};
 constexpr const char* kGuideGroups[] = {"/guide", "/guide/fluid", "/guide/canvas", "/guide/layers"};
-// A canvas that is read again part by part has chunks that a part needs few of.
+// A canvas that is later read part by part gets square chunks, so that a part needs few of them.
 constexpr std::uint64_t kTileSide = 256;
 
 struct Hashes {
@@ -94,7 +94,7 @@ bool write_palette(hid_t file, const StateDump& dump) {
                      wavelength_m);
 }
 
-/// A picture of linear light as rows x columns x 3; nothing to do for none.
+/// Writes a picture of linear light as rows x columns x 3. Does nothing if there is no picture.
 bool write_light(hid_t file, const char* name, const char* what,
                  const std::array<Field<float>, 3>& rgb, int level, const Threads& threads) {
   const Field<float>& red = rgb[0];
@@ -163,7 +163,7 @@ bool write_model(hid_t root, const Model& model) {
 bool write_root(hid_t file, const StateDump& dump, const Hashes& hashes,
                 const Provenance& provenance) {
   const Handle root(H5Gopen2(file, "/", H5P_DEFAULT), H5Gclose);
-  const Handle notes(H5Gopen2(file, "/provenance", H5P_DEFAULT), H5Gclose);
+  const Handle checkpoint(H5Gopen2(file, "/provenance", H5P_DEFAULT), H5Gclose);
   const hid_t id = root.id();
   const std::string software = provenance_value(provenance, "software");
   bool ok = set_attribute(id, "format", std::string_view(kStateFormat)) &&
@@ -179,7 +179,7 @@ bool write_root(hid_t file, const StateDump& dump, const Hashes& hashes,
             set_attribute(id, "log_sha256", dump.log_sha256) &&
             set_attribute(id, "software", software.empty() ? "pentimento" : software) &&
             write_model(id, dump.model);
-  for (const auto& [key, value] : provenance) ok = ok && set_attribute(notes.id(), key, value);
+  for (const auto& [key, value] : provenance) ok = ok && set_attribute(checkpoint.id(), key, value);
   return ok;
 }
 
@@ -193,8 +193,8 @@ bool write_canvases(hid_t file, const StateDump& dump, int level, const Threads&
   for (const char* group : kGuideGroups) ok = ok && hdf5::make_group(file, group);
   return ok && hdf5::write_canvas(file, guide, {"/guide", 0, level}, threads) &&
          hdf5::write_sleep(file, "/guide", dump.state) &&
-         (!dump.notes ||
-          hdf5::write_notes(file, *dump.notes, {dump.state, dump.detail}, level, threads));
+         (!dump.checkpoint || hdf5::write_checkpoint(file, *dump.checkpoint,
+                                                     {dump.state, dump.detail}, level, threads));
 }
 
 bool write_content(hid_t file, const StateDump& dump, const Hashes& hashes,
@@ -232,7 +232,7 @@ bool stream_file(OutputFile& output, const StateDump& dump, const Hashes& hashes
   return H5Fclose(file.release()) >= 0 && ok;
 }
 
-/// Before anything is computed: can the target be written at all?
+/// Finds out before anything is computed whether the target can be written at all.
 Result<void> check_dump(const std::string& path, const StateDump& dump) {
   PENTIMENTO_CHECK(dump.basis.channels() == dump.state.channels);
   if (path == "-")
@@ -262,7 +262,7 @@ Result<std::unique_ptr<OutputFile>> complete_state(const std::string& path, cons
     return file;
   }
   if (output.is_stream())
-    return Error{ErrorCode::kUsage, path + ": a state dump of a finer canvas cannot go to a pipe"};
+    return Error{ErrorCode::kUsage, path + ": a state dump of a detail canvas cannot go to a pipe"};
   const bool streamed = stream_file(output, dump, hashes, options);
   if (const Result<void> written = output.status(); !written) return written.error();
   if (const Result<void> read = dump.fine->status(); !read) return read.error();

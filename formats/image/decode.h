@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "core/result.h"
+#include "core/base/result.h"
 #include "formats/image/read_image.h"
 
 namespace pentimento::image {
@@ -13,7 +13,7 @@ Result<Image> decode_exr(const std::string& path, const ImageReadOptions& option
 /// Radiance HDR, JPEG and TIFF, through the module.
 Result<Image> decode_other(const std::string& path, const ImageReadOptions& options);
 
-/// Error kLimit if a picture of this size is not to be read, kBadInput if it is no size at all.
+/// Errors: kLimit for a picture beyond the limits, kBadInput for a size that is not positive.
 Result<void> check_size(const std::string& path, std::int64_t width, std::int64_t height,
                         const ImageLimits& limits);
 

@@ -15,8 +15,8 @@ namespace pentimento::image {
 
 namespace {
 
-/// libpng reports by longjmp: everything it may leave in the middle of lives here, outside the
-/// functions that call it.
+/// libpng reports errors by longjmp. Everything that it may leave half done lives here, outside the
+/// functions that call libpng.
 struct PngReading {
   std::FILE* file = nullptr;
   png_structp png = nullptr;
@@ -138,7 +138,7 @@ Result<Image> decode_png(const std::string& path, const ImageReadOptions& option
   in.file = std::fopen(path.c_str(), "rbe");
   if (in.file == nullptr)
     return Error{ErrorCode::kIo, fmt::format("{}: {}", path, std::strerror(errno))};
-  // Warnings are errors: libpng warns of damage that it then papers over.
+  // Warnings count as errors: libpng warns of damage and then hides it.
   in.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &in, fail, fail);
   in.info = in.png == nullptr ? nullptr : png_create_info_struct(in.png);
   if (in.info == nullptr) return Error{ErrorCode::kLimit, path + ": no memory to read it"};

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <string>
 
-#include "core/field.h"
-#include "core/result.h"
+#include "core/base/field.h"
+#include "core/base/result.h"
 
 namespace pentimento {
 
@@ -14,11 +14,11 @@ struct TextStyle {
   int thickness = 1;   // of its lines, pixels
 };
 
-/// Of a line of ASCII text, pixels. Errors: kIo, the module cannot be loaded.
+/// Width of a line of ASCII text in pixels. Errors: kIo, the module cannot be loaded.
 Result<int> text_width(const std::string& text, const TextStyle& style);
 
-/// Draws with the base line's left end at (x, y) into `mask`: 0 to 255, how much of a pixel is
-/// covered. What falls outside is cut. Errors: kIo.
+/// Draws a line into `mask`, with the left end of its base line at (x, y). A value of `mask`, 0 to
+/// 255, says how much of a pixel is covered. Parts outside are cut off. Errors: kIo.
 Result<void> draw_text(const std::string& text, const TextStyle& style, int x, int y,
                        Field<std::uint8_t>& mask);
 

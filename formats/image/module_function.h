@@ -1,15 +1,15 @@
 #pragma once
-// The modules beside the command: libraries that take long to load and that few jobs need. Each is
-// loaded when the first of its functions is asked for, and stays loaded.
+// Modules: libraries beside the program that take long to load and that few jobs need. A module is
+// loaded when its first function is asked for, and stays loaded.
 
 #include <string>
 
-#include "core/result.h"
+#include "core/base/result.h"
 
 namespace pentimento::image {
 
 inline constexpr const char* kPictureModule = "pentimento_pictures.so";
-inline constexpr const char* kFilmModule = "pentimento_films.so";
+inline constexpr const char* kVideoModule = "pentimento_videos.so";
 
 /// The address of `function` in `module`. Errors: kIo, with the reason.
 Result<void*> find_in_module(const char* module, const char* function);
@@ -19,7 +19,7 @@ struct ModuleFunction {
   Signature* call = nullptr;
 };
 
-/// As above, typed: `Signature` is that of the function.
+/// The same with a type: `Signature` is the signature of the function.
 template <typename Signature>
 Result<ModuleFunction<Signature>> module_function(const char* module, const char* function) {
   Result<void*> found = find_in_module(module, function);

@@ -96,7 +96,7 @@ Result<Image> read_image(const std::string& path, const ImageReadOptions& option
 
 void to_rec709(Image& image) {
   if (image.profile == ColorProfile::kSrgb) return;
-  const Matrix3 m = between(image.profile, ColorProfile::kSrgb);
+  const ColorMatrix m = between(image.profile, ColorProfile::kSrgb);
   image.profile = ColorProfile::kSrgb;
   for (const std::array<std::size_t, 3>& rgb : light_channels(image.name))
     for (int y = 0; y < image.height; ++y)

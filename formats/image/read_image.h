@@ -1,15 +1,15 @@
 #pragma once
-// Pictures in: PNG and OpenEXR by their own libraries, everything else (Radiance HDR, JPEG, TIFF)
-// through a module that is loaded when the first such file is read. What a file is follows from its
-// first bytes, not from its name. Sizes are checked before memory is taken.
+// Reads pictures: PNG and OpenEXR by their own libraries, Radiance HDR, JPEG and TIFF through a
+// module that is loaded when the first such file is read. The first bytes of a file decide what it
+// is, not its name. Sizes are checked before memory is taken.
 
 #include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
 
-#include "core/field.h"
-#include "core/result.h"
+#include "core/base/field.h"
+#include "core/base/result.h"
 #include "formats/color/color_profile.h"
 
 namespace pentimento {
@@ -19,7 +19,8 @@ struct ImageLimits {
   std::int64_t max_pixels = std::int64_t{1} << 27;
 };
 
-/// What the samples of integer formats become; float formats are scene-linear and stay as stored.
+/// What samples of integer formats become. Samples of float formats are scene-linear and stay as
+/// stored.
 enum class SampleMeaning {
   kLight,  // linear light, in the picture's own primaries (alpha: stored value)
   kRaw     // the stored value, 0..1
@@ -30,8 +31,8 @@ struct ImageReadOptions {
   ImageLimits limits;
 };
 
-/// Planes of one size with their names: "R","G","B" or "Y", "A" if there is one, and whatever else
-/// an EXR holds under the names it gives.
+/// A picture as planes of one size with names: "R","G","B" or "Y", "A" if there is one, and the
+/// other channels of an EXR under their own names.
 struct Image {
   int width = 0;
   int height = 0;
@@ -54,19 +55,21 @@ struct Image {
 /// broken one).
 Result<Image> read_image(const std::string& path, const ImageReadOptions& options = {});
 
-/// Linear light in the picture's own primaries to that of Rec. 709; nothing to do for most.
+/// Converts linear light from the picture's own primaries to those of Rec. 709. Most pictures have
+/// these already.
 void to_rec709(Image& image);
 
-/// Red, green and blue in linear light, Rec. 709 primaries; a grey picture gives three equal
-/// planes. Errors: as read_image; kBadInput for an EXR without R, G, B or Y.
+/// Reads red, green and blue in linear light with Rec. 709 primaries. A grey picture gives three
+/// equal planes. Errors: those of read_image(); kBadInput for an EXR without R, G, B or Y.
 Result<std::array<Field<float>, 3>> read_rgb(const std::string& path,
                                              const ImageLimits& limits = {});
 
-/// A height or grain texture: stored values 0..1 without sRGB decoding; colours are averaged.
+/// Reads a texture of heights or of grain: the stored values 0..1 without sRGB decoding. Of a
+/// colour the mean is taken.
 Result<Field<float>> read_grey(const std::string& path, const ImageLimits& limits = {});
 
-/// A brush tip, 1 = most paint: the alpha of pictures that have one, else 1 - grey (tips are drawn
-/// dark on white).
+/// Reads a brush tip, 1 = most paint: the alpha of a picture that has one, else 1 - grey, for tips
+/// are drawn dark on white.
 Result<Field<float>> read_tip(const std::string& path, const ImageLimits& limits = {});
 
 }  // namespace pentimento

@@ -2,18 +2,18 @@
 
 #include <vector>
 
-#include "core/check.h"
+#include "core/base/check.h"
 
 namespace pentimento {
 
 namespace {
 
 /// How one target pixel is made along one axis: source indices and their weights, which sum to 1.
-struct Taps {
+struct AxisTaps {
   std::vector<int> index;
   std::vector<float> weight;
 };
-using Axis = std::vector<Taps>;
+using AxisPlan = std::vector<AxisTaps>;
 
 int floor_of(double v) {
   const int whole = static_cast<int>(v);
@@ -29,8 +29,8 @@ int wrapped(int i, int n) {
 
 /// The pixels that [begin, end) covers, each weighted with the length covered. Indices may lie
 /// outside the source: the caller clamps or wraps.
-Taps cover(double begin, double end) {
-  Taps taps;
+AxisTaps cover(double begin, double end) {
+  AxisTaps taps;
   const double length = end - begin;
   for (int i = floor_of(begin); i < end; ++i) {
     const double from = begin > i ? begin : i;
@@ -42,7 +42,7 @@ Taps cover(double begin, double end) {
   return taps;
 }
 
-Taps between(double position) {
+AxisTaps between(double position) {
   const double at = position - 0.5;
   const int i = floor_of(at);
   const float f = static_cast<float>(at - i);
@@ -50,7 +50,7 @@ Taps between(double position) {
 }
 
 /// Keys, Cubic convolution interpolation, IEEE ASSP 29 (1981), a = -1/2: third order.
-Taps cubic(double position) {
+AxisTaps cubic(double position) {
   const double at = position - 0.5;
   const int i = floor_of(at);
   const double f = at - i;
@@ -63,38 +63,38 @@ Taps cubic(double position) {
            static_cast<float>(w3)}};
 }
 
-enum class Kind { kArea, kLinear, kCubic };
+enum class FilterKind { kArea, kLinear, kCubic };
 
 /// Along an axis on which `per_target` source pixels make one target pixel.
-Axis make_axis(Kind kind, int target, double per_target) {
-  Axis axis;
+AxisPlan make_axis(FilterKind kind, int target, double per_target) {
+  AxisPlan axis;
   for (int i = 0; i < target; ++i) {
     const double centre = (i + 0.5) * per_target;
-    axis.push_back(kind == Kind::kArea     ? cover(i * per_target, (i + 1) * per_target)
-                   : kind == Kind::kLinear ? between(centre)
-                                           : cubic(centre));
+    axis.push_back(kind == FilterKind::kArea     ? cover(i * per_target, (i + 1) * per_target)
+                   : kind == FilterKind::kLinear ? between(centre)
+                                                 : cubic(centre));
   }
   return axis;
 }
 
-void clamp_axis(Axis& axis, int source) {
-  for (Taps& taps : axis)
+void clamp_axis(AxisPlan& axis, int source) {
+  for (AxisTaps& taps : axis)
     for (int& i : taps.index) i = clamped(i, source);
 }
-void wrap_axis(Axis& axis, int source) {
-  for (Taps& taps : axis)
+void wrap_axis(AxisPlan& axis, int source) {
+  for (AxisTaps& taps : axis)
     for (int& i : taps.index) i = wrapped(i, source);
 }
 
 /// Rows first, then columns; taps in order.
-Field<float> apply(FieldView<const float> source, const Axis& across, const Axis& down) {
+Field<float> apply(FieldView<const float> source, const AxisPlan& across, const AxisPlan& down) {
   const int width = static_cast<int>(across.size());
   const int height = static_cast<int>(down.size());
   Field<float> narrow(width, source.height());
   for (int y = 0; y < source.height(); ++y) {
     const float* in = source.row(y);
     for (int x = 0; x < width; ++x) {
-      const Taps& taps = across[static_cast<std::size_t>(x)];
+      const AxisTaps& taps = across[static_cast<std::size_t>(x)];
       float sum = 0;
       for (std::size_t k = 0; k < taps.index.size(); ++k) sum += taps.weight[k] * in[taps.index[k]];
       narrow(x, y) = sum;
@@ -102,7 +102,7 @@ Field<float> apply(FieldView<const float> source, const Axis& across, const Axis
   }
   Field<float> out(width, height);
   for (int y = 0; y < height; ++y) {
-    const Taps& taps = down[static_cast<std::size_t>(y)];
+    const AxisTaps& taps = down[static_cast<std::size_t>(y)];
     float* to = out.row(y);
     for (std::size_t k = 0; k < taps.index.size(); ++k) {
       const float* in = narrow.row(taps.index[k]);
@@ -113,41 +113,42 @@ Field<float> apply(FieldView<const float> source, const Axis& across, const Axis
   return out;
 }
 
-Axis fitted_axis(Kind kind, int source, int target) {
-  Axis axis = make_axis(kind, target, static_cast<double>(source) / target);
+AxisPlan fitted_axis(FilterKind kind, int source, int target) {
+  AxisPlan axis = make_axis(kind, target, static_cast<double>(source) / target);
   clamp_axis(axis, source);
   return axis;
 }
 
-Field<float> resample(FieldView<const float> source, int width, int height, Kind kind) {
+Field<float> resample(FieldView<const float> source, int width, int height, FilterKind kind) {
   PENTIMENTO_CHECK(!source.empty() && width > 0 && height > 0);
   return apply(source, fitted_axis(kind, source.width(), width),
                fitted_axis(kind, source.height(), height));
 }
 
-Axis tiled_axis(int tile, int cells, double cells_per_tile) {
-  const double per_cell = tile / cells_per_tile;
-  Axis axis = make_axis(per_cell > 1 ? Kind::kArea : Kind::kLinear, cells, per_cell);
+AxisPlan tiled_axis(int tile, int cells, double cells_per_repeat) {
+  const double per_cell = tile / cells_per_repeat;
+  AxisPlan axis =
+      make_axis(per_cell > 1 ? FilterKind::kArea : FilterKind::kLinear, cells, per_cell);
   wrap_axis(axis, tile);
   return axis;
 }
 
-Axis sized_axis(int source, int target) {
-  return fitted_axis(target < source ? Kind::kArea : Kind::kLinear, source, target);
+AxisPlan sized_axis(int source, int target) {
+  return fitted_axis(target < source ? FilterKind::kArea : FilterKind::kLinear, source, target);
 }
 
 }  // namespace
 
 Field<float> resample_area(FieldView<const float> source, int width, int height) {
-  return resample(source, width, height, Kind::kArea);
+  return resample(source, width, height, FilterKind::kArea);
 }
 
 Field<float> resample_bilinear(FieldView<const float> source, int width, int height) {
-  return resample(source, width, height, Kind::kLinear);
+  return resample(source, width, height, FilterKind::kLinear);
 }
 
 Field<float> resample_bicubic(FieldView<const float> source, int width, int height) {
-  return resample(source, width, height, Kind::kCubic);
+  return resample(source, width, height, FilterKind::kCubic);
 }
 
 Field<float> resample_to(FieldView<const float> source, int width, int height) {
@@ -155,40 +156,40 @@ Field<float> resample_to(FieldView<const float> source, int width, int height) {
   return apply(source, sized_axis(source.width(), width), sized_axis(source.height(), height));
 }
 
-Field<float> sample_tiled(FieldView<const float> tile, int width, int height,
-                          double cells_per_tile_x, double cells_per_tile_y) {
+Field<float> sample_repeated(FieldView<const float> tile, int width, int height,
+                             double cells_per_repeat_x, double cells_per_repeat_y) {
   PENTIMENTO_CHECK(!tile.empty() && width > 0 && height > 0);
-  PENTIMENTO_CHECK(cells_per_tile_x > 0 && cells_per_tile_y > 0);
-  return apply(tile, tiled_axis(tile.width(), width, cells_per_tile_x),
-               tiled_axis(tile.height(), height, cells_per_tile_y));
+  PENTIMENTO_CHECK(cells_per_repeat_x > 0 && cells_per_repeat_y > 0);
+  return apply(tile, tiled_axis(tile.width(), width, cells_per_repeat_x),
+               tiled_axis(tile.height(), height, cells_per_repeat_y));
 }
 
 struct PictureRows::Plan {
   Field<float> source;
-  Axis across, down;
+  AxisPlan across, down;
 };
 
 PictureRows PictureRows::fitted(Field<float> picture, int width, int height) {
   PENTIMENTO_CHECK(!picture.empty() && width > 0 && height > 0);
-  Axis across = sized_axis(picture.width(), width), down = sized_axis(picture.height(), height);
+  AxisPlan across = sized_axis(picture.width(), width), down = sized_axis(picture.height(), height);
   return PictureRows(
       std::make_shared<Plan>(Plan{std::move(picture), std::move(across), std::move(down)}));
 }
 
-PictureRows PictureRows::tiled(Field<float> tile, int width, int height, double cells_per_tile_x,
-                               double cells_per_tile_y) {
+PictureRows PictureRows::tiled(Field<float> tile, int width, int height, double cells_per_repeat_x,
+                               double cells_per_repeat_y) {
   PENTIMENTO_CHECK(!tile.empty() && width > 0 && height > 0);
-  PENTIMENTO_CHECK(cells_per_tile_x > 0 && cells_per_tile_y > 0);
-  Axis across = tiled_axis(tile.width(), width, cells_per_tile_x);
-  Axis down = tiled_axis(tile.height(), height, cells_per_tile_y);
+  PENTIMENTO_CHECK(cells_per_repeat_x > 0 && cells_per_repeat_y > 0);
+  AxisPlan across = tiled_axis(tile.width(), width, cells_per_repeat_x);
+  AxisPlan down = tiled_axis(tile.height(), height, cells_per_repeat_y);
   return PictureRows(
       std::make_shared<Plan>(Plan{std::move(tile), std::move(across), std::move(down)}));
 }
 
 void PictureRows::row(int x, int y, std::span<float> out) const {
-  const Taps& rows = plan_->down[static_cast<std::size_t>(y)];
+  const AxisTaps& rows = plan_->down[static_cast<std::size_t>(y)];
   for (std::size_t i = 0; i < out.size(); ++i) {
-    const Taps& columns = plan_->across[static_cast<std::size_t>(x) + i];
+    const AxisTaps& columns = plan_->across[static_cast<std::size_t>(x) + i];
     float value = 0;
     for (std::size_t r = 0; r < rows.index.size(); ++r) {
       const float* in = plan_->source.row(rows.index[r]);

@@ -2,7 +2,7 @@
 
 #include <zlib.h>
 
-#include "core/check.h"
+#include "core/base/check.h"
 
 namespace pentimento {
 

@@ -1,7 +1,8 @@
 #pragma once
-// Deflate (RFC 1951) for pieces that several threads compress at once, by zlib: its output depends
-// on the bytes given and on nothing else, so equal pictures and states are equal files. (ISA-L was
-// twice as fast, but chose other matches on other processors and, rarely, on the same.)
+// Deflate (RFC 1951) by zlib, for pieces that several threads compress at once. The output of zlib
+// depends on the bytes given and on nothing else, so equal pictures and states give equal files.
+// (ISA-L was twice as fast, but its output differed between processors and, rarely, between runs on
+// the same processor.)
 
 #include <cstdint>
 #include <span>
@@ -9,8 +10,8 @@
 
 namespace pentimento {
 
-/// What is looked for beside the frequency of bytes. Filtered rows of a painting are noise with
-/// runs: other matches cost more bits than they save, and time (docs/bench/encoding.md).
+/// Which repeats the compressor looks for. Filtered rows of a painting are noise with runs of equal
+/// bytes; other matches cost more bits than they save, and time (docs/bench/encoding.md).
 enum class Repeats { kAny, kRuns };
 
 /// Raw deflate of `bytes`, appended to `out`. `last` = false ends on a byte boundary with an empty

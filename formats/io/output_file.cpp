@@ -24,13 +24,14 @@ std::string folder_of(const std::string& target) {
   return folder.empty() ? "." : folder;
 }
 
-/// Short whatever the target is called, so that a long name still works.
+/// The temporary name is short whatever the target is called, so that a target with a long name
+/// works.
 std::string temporary_name(const std::string& target) {
   static std::atomic<unsigned> counter{0};
   return fmt::format("{}/.pentimento-{}-{}.part", folder_of(target), ::getpid(), counter++);
 }
 
-/// Where a link points, so that publishing replaces the file and not the link.
+/// Follows a link, so that publishing replaces the file and not the link.
 std::string follow_links(const std::string& path) {
   std::error_code error;
   if (!std::filesystem::is_symlink(path, error)) return path;

@@ -1,7 +1,8 @@
 #pragma once
-// A file that appears under its name only when it is whole: written beside the target under a
-// temporary name, checked, forced to the disk, read back, then renamed over the target. Whatever
-// goes wrong, the target keeps what it held and the temporary goes away. Not thread-safe.
+// A file that appears under its name only when it is whole. It is written beside the target under a
+// temporary name, checked, forced to the disk, read back, and then renamed to the target. If
+// anything fails, the target keeps its old content and the temporary file is removed. Not
+// thread-safe.
 
 #include <cstddef>
 #include <cstdint>
@@ -10,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "core/result.h"
+#include "core/base/result.h"
 #include "formats/io/picture_file.h"
 #include "formats/io/sha256.h"
 
@@ -18,7 +19,7 @@ namespace pentimento {
 
 class OutputFile {
  public:
-  /// Looks at a file under its temporary name before it is published.
+  /// Checks a file under its temporary name before it is published.
   using Check = std::function<Result<void>(const std::string& temporary)>;
 
   /// "-" is standard output; pipes and devices are written to directly (no temporary, no renaming).
@@ -30,12 +31,13 @@ class OutputFile {
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
 
-  /// Appends at the position. The first failure sticks: later writes do nothing, publish() tells.
+  /// Writes at the position. The first failure stays: later writes do nothing, and publish()
+  /// returns it.
   void write(const void* bytes, std::size_t count);
   /// Later writes go to `offset`. Not for streams.
   void seek(std::uint64_t offset);
-  /// What was written at `offset`; beyond the end, and after a failure, `bytes` stay as they are.
-  /// Not for streams.
+  /// Reads what was written at `offset`. Beyond the end, and after a failure, `bytes` stay as they
+  /// are. Not for streams.
   void read_at(std::uint64_t offset, void* bytes, std::size_t count);
   std::uint64_t position() const { return position_; }
   bool failed() const { return error_number_ != 0; }
@@ -44,10 +46,11 @@ class OutputFile {
   /// Standard output, a pipe or a device: neither seeks nor can be read back.
   bool is_stream() const { return temporary_.empty(); }
 
-  /// Makes the file whole under its temporary name, after which `check` must find it right. With no
-  /// seek() the bytes read back must have the SHA-256 of the bytes written. Call once.
+  /// Makes the file whole under its temporary name. Then `check` must find it right, and without a
+  /// seek() the bytes read back must have the SHA-256 of the bytes written. Errors: kIo, that of
+  /// `check`. Call once.
   Result<Published> complete(const Check& check = {});
-  /// Gives the file its name; completes it first if that was not done. Call once.
+  /// Gives the file its name, after complete() if that was not called. Call once.
   Result<Published> publish(const Check& check = {});
 
  private:

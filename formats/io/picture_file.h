@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/result.h"
+#include "core/base/result.h"
 #include "core/shading/picture.h"
 
 namespace pentimento {
@@ -18,14 +18,14 @@ struct Published {
   std::string sha256;
 };
 
-/// complete() makes the file whole under its temporary name (fsync, read back), publish() gives it
-/// its own: so several files can be completed before the first is published. Destruction without
-/// publish() leaves no trace.
+/// complete() makes the file whole under its temporary name (fsync, read back), and publish() gives
+/// it its own name. So several files can be completed before the first is published. A file that is
+/// destroyed without publish() leaves no trace.
 class PictureFile : public PictureSink {
  public:
   virtual Result<Published> complete() = 0;
   virtual Result<void> publish() = 0;
-  /// Both.
+  /// Does both.
   Result<Published> finish() {
     Result<Published> whole = complete();
     if (!whole) return whole;

@@ -1,10 +1,10 @@
 #pragma once
-// What a file of ours (or another program's) says about itself: PNG text chunks, EXR string
-// attributes, HDF5 attributes. Reads headers only, never pixels.
+// Provenance: what a file says about itself, ours or another program's, in PNG text chunks, EXR
+// string attributes or HDF5 attributes. Only headers are read, never pixels.
 
 #include <string>
 
-#include "core/result.h"
+#include "core/base/result.h"
 #include "formats/io/picture_file.h"
 
 namespace pentimento {

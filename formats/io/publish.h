@@ -1,15 +1,15 @@
 #pragma once
-// Small files published in one go.
+// Publishes small files in one call.
 
 #include <string>
 #include <string_view>
 
-#include "core/result.h"
+#include "core/base/result.h"
 #include "formats/io/picture_file.h"
 
 namespace pentimento {
 
-/// `bytes` become the file `path`, whole or not at all (output_file.h). Errors: kIo.
+/// Writes `bytes` as the file `path`, whole or not at all (output_file.h). Errors: kIo.
 Result<Published> publish_bytes(const std::string& path, std::string_view bytes,
                                 bool no_clobber = false);
 

@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "core/check.h"
+#include "core/base/check.h"
 
 namespace pentimento {
 
@@ -28,7 +28,7 @@ void Sha256::update(const void* bytes, std::size_t count) {
 }
 
 std::string Sha256::hex() const {
-  // A copy is finished, so that the original can go on.
+  // Finishes a copy, so that the original can take more bytes.
   Digest copy;
   std::array<unsigned char, EVP_MAX_MD_SIZE> bytes{};
   unsigned int count = 0;

@@ -17,7 +17,7 @@ class Sha256 {
 
   void update(const void* bytes, std::size_t count);
   void update(std::string_view bytes) { update(bytes.data(), bytes.size()); }
-  /// Of everything so far, 64 lower-case hex digits; more may follow.
+  /// The hash of all bytes so far, as 64 lower-case hex digits. More bytes may follow.
   std::string hex() const;
 
  private:

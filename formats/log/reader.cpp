@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include "formats/log/event_parser.h"
-#include "formats/log/header_parser.h"
-#include "formats/log/json_line.h"
-#include "formats/log/json_scan.h"
-#include "formats/log/line_source.h"
-#include "formats/log/log_rules.h"
+#include "formats/log/json/json_line.h"
+#include "formats/log/json/json_scan.h"
+#include "formats/log/parse/event_parser.h"
+#include "formats/log/parse/header_parser.h"
+#include "formats/log/parse/log_rules.h"
+#include "formats/log/stream/line_source.h"
 
 namespace pentimento::log {
 
@@ -120,10 +120,10 @@ Result<std::optional<Event>> LogReader::at_cut(const Line& line) {
 }
 
 Result<void> LogReader::rewind() {
-  const Result<void> rewound = lines_.rewind();
+  Result<void> rewound = lines_.rewind();
   if (!rewound) return rewound;
   rules_ = LogRules(header_, options_);
-  // The header is known; what callers hold of it stays where it is.
+  // The header is known already. It is not replaced, for callers hold references to it.
   const Result<std::optional<Line>> line = lines_.next();
   if (!line) return located(line.error());
   return {};

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "formats/log/event_names.h"
+#include "formats/log/tables/event_names.h"
 
 namespace pentimento::log {
 

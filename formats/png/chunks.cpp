@@ -19,21 +19,21 @@ constexpr std::uint8_t kPerMetre = 1;
 constexpr double kInch_m = 0.0254;
 constexpr std::size_t kLongestKey = 79;
 
-void append_number(std::uint32_t value, Bytes& out) {
+void append_number(std::uint32_t value, PngBytes& out) {
   for (int shift = 24; shift >= 0; shift -= 8)
     out.push_back(static_cast<std::uint8_t>(value >> shift));
 }
 
-void append(std::span<const std::uint8_t> bytes, Bytes& out) {
+void append(std::span<const std::uint8_t> bytes, PngBytes& out) {
   out.insert(out.end(), bytes.begin(), bytes.end());
 }
 
-void append_text(std::string_view text, Bytes& out) {
+void append_text(std::string_view text, PngBytes& out) {
   out.insert(out.end(), text.begin(), text.end());
 }
 
-Bytes header_data(const Head& head) {
-  Bytes data;
+PngBytes header_data(const Head& head) {
+  PngBytes data;
   append_number(static_cast<std::uint32_t>(head.width), data);
   append_number(static_cast<std::uint32_t>(head.height), data);
   data.push_back(static_cast<std::uint8_t>(head.bit_depth));
@@ -42,8 +42,8 @@ Bytes header_data(const Head& head) {
   return data;
 }
 
-Bytes density_data(double dpi) {
-  Bytes data;
+PngBytes density_data(double dpi) {
+  PngBytes data;
   const auto per_metre = static_cast<std::uint32_t>(std::lround(dpi / kInch_m));
   append_number(per_metre, data);
   append_number(per_metre, data);
@@ -52,8 +52,8 @@ Bytes density_data(double dpi) {
 }
 
 /// sRGB has a chunk of its own; others bring their ICC profile.
-Bytes colour_chunk(ColorProfile profile) {
-  if (profile == ColorProfile::kSrgb) return chunk("sRGB", Bytes{kPerceptual});
+PngBytes colour_chunk(ColorProfile profile) {
+  if (profile == ColorProfile::kSrgb) return chunk("sRGB", PngBytes{kPerceptual});
   return chunk("iCCP", iccp_data(profile));
 }
 
@@ -64,8 +64,8 @@ bool key_fits(std::string_view key) {
 }
 
 /// tEXt where ASCII says it all, else iTXt (UTF-8).
-Bytes text_chunk(std::string_view key, std::string_view value) {
-  Bytes data;
+PngBytes text_chunk(std::string_view key, std::string_view value) {
+  PngBytes data;
   append_text(key, data);
   data.push_back(0);
   if (is_plain_ascii(value)) {
@@ -79,8 +79,8 @@ Bytes text_chunk(std::string_view key, std::string_view value) {
 
 }  // namespace
 
-Bytes chunk(std::string_view type, std::span<const std::uint8_t> data) {
-  Bytes out;
+PngBytes chunk(std::string_view type, std::span<const std::uint8_t> data) {
+  PngBytes out;
   out.reserve(data.size() + 12);
   append_number(static_cast<std::uint32_t>(data.size()), out);
   append_text(type, out);
@@ -89,8 +89,8 @@ Bytes chunk(std::string_view type, std::span<const std::uint8_t> data) {
   return out;
 }
 
-Result<Bytes> file_head(const Head& head, const Provenance& provenance) {
-  Bytes out(std::begin(kSignature), std::end(kSignature));
+Result<PngBytes> file_head(const Head& head, const Provenance& provenance) {
+  PngBytes out(std::begin(kSignature), std::end(kSignature));
   append(chunk("IHDR", header_data(head)), out);
   if (head.profile) append(colour_chunk(*head.profile), out);
   if (head.dpi > 0) append(chunk("pHYs", density_data(head.dpi)), out);

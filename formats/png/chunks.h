@@ -7,19 +7,19 @@
 #include <string_view>
 #include <vector>
 
-#include "core/result.h"
+#include "core/base/result.h"
 #include "formats/color/color_profile.h"
 #include "formats/io/picture_file.h"
 
 namespace pentimento::png {
 
-using Bytes = std::vector<std::uint8_t>;
+using PngBytes = std::vector<std::uint8_t>;
 
 inline constexpr std::uint8_t kSignature[8] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
 
 /// Length, type, data and CRC.
-Bytes chunk(std::string_view type, std::span<const std::uint8_t> data);
-/// What a file says of itself before its pixels.
+PngBytes chunk(std::string_view type, std::span<const std::uint8_t> data);
+/// What a PNG file says about itself before its pixels.
 struct Head {
   int width = 0, height = 0;
   int bit_depth = 8;
@@ -27,8 +27,8 @@ struct Head {
   std::optional<ColorProfile> profile;  // none: the samples are no colours
   double dpi = 0;                       // 0: not said
 };
-/// What stands before the first IDAT: signature, IHDR, sRGB or iCCP, pHYs, text.
+/// The bytes before the first IDAT: signature, IHDR, sRGB or iCCP, pHYs, text.
 /// Errors: kUsage for a provenance key that PNG cannot hold.
-Result<Bytes> file_head(const Head& head, const Provenance& provenance);
+Result<PngBytes> file_head(const Head& head, const Provenance& provenance);
 
 }  // namespace pentimento::png

@@ -49,7 +49,7 @@ void add_text(std::string_view type, std::string_view data, Provenance& to) {
   to.emplace_back(key, std::string(data));
 }
 
-void take_chunk(std::string_view type, const png::Bytes& data, FileDescription& out) {
+void take_chunk(std::string_view type, const png::PngBytes& data, FileDescription& out) {
   if (type == "IHDR" && data.size() == 13) {
     out.width = static_cast<int>(number(data.data()));
     out.height = static_cast<int>(number(data.data() + 4));
@@ -83,13 +83,13 @@ bool next_chunk(std::FILE* file, FileDescription& out, std::string& problem) {
     problem = fmt::format("a {} chunk of {} bytes", type, length);
     return false;
   }
-  png::Bytes data(length);
+  png::PngBytes data(length);
   std::array<std::uint8_t, 4> crc{};
   if (!read_bytes(file, data.data(), length) || !read_bytes(file, crc.data(), crc.size())) {
     problem = "ends in the middle";
     return false;
   }
-  const png::Bytes whole = png::chunk(type, data);
+  const png::PngBytes whole = png::chunk(type, data);
   if (number(whole.data() + whole.size() - 4) != number(crc.data())) {
     problem = "damaged " + type + " chunk";
     return false;

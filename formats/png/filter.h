@@ -6,10 +6,10 @@
 
 namespace pentimento::png {
 
-/// Writes filter type and filtered row to `out` (1 + row.size() bytes): the filter with the
-/// smallest sum of absolute differences (bytes taken as signed), the heuristic the standard
-/// recommends; the first of equals. `above` is the row before (zeros for the first row), `bpp` the
-/// bytes of a pixel. `scratch`: 4 rows.
+/// Writes the filter type and the filtered row to `out`, 1 + row.size() bytes. It takes the filter
+/// with the smallest sum of absolute values (bytes taken as signed), the first of equals, as the
+/// standard recommends. `above`: the row before, zeros for the first row. `bpp`: bytes of a pixel.
+/// `scratch`: memory for 4 rows.
 void filter_row(std::span<const std::uint8_t> row, std::span<const std::uint8_t> above, int bpp,
                 std::span<std::uint8_t> scratch, std::uint8_t* out);
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "core/threads.h"
+#include "core/base/threads.h"
 #include "formats/io/deflate.h"
 #include "formats/io/output_file.h"
 #include "formats/png/chunks.h"
@@ -16,7 +16,7 @@ namespace pentimento {
 
 namespace {
 
-using png::Bytes;
+using png::PngBytes;
 
 constexpr int kLargestSide = 1'000'000;  // libpng, and so most programs, read no more
 // A block of rows is deflated alone, so its size decides the bytes: it must not depend on the
@@ -25,8 +25,8 @@ constexpr std::size_t kBlockBytes = std::size_t{1} << 20;
 constexpr int kDeflateLevel = 1;
 
 /// One block: its rows filtered and deflated.
-struct Block {
-  Bytes deflated;
+struct DeflateBlock {
+  PngBytes deflated;
   std::uint32_t adler = 1;
   std::size_t bytes = 0;  // before deflating
 };
@@ -39,7 +39,7 @@ bool encode_numbers(const NumberScale& scale, const PictureStrip& strip, int y, 
     for (int c = 0; c < scale.channels; ++c) {
       const auto value = static_cast<double>(strip.plane[static_cast<std::size_t>(c)](x, y));
       if (std::isnan(value)) numbers = false;
-      // fmin and fmax take the number where the other is none.
+      // fmin and fmax return the number if the other argument is NaN.
       const double code =
           std::fmin(std::fmax((value - scale.offset) / scale.per_code + 0.5, 0), kLargestCode);
       const auto whole = static_cast<unsigned>(code);
@@ -77,8 +77,8 @@ class PngFile final : public PictureFile {
 
  private:
   bool encode_row(const PictureStrip& strip, int y, std::uint8_t* out) const;
-  Block deflate_rows(int begin, int end, bool last) const;
-  void write_block(Block& block, bool last);
+  DeflateBlock deflate_rows(int begin, int end, bool last) const;
+  void write_block(DeflateBlock& block, bool last);
   void deflate_whole_blocks();
   const std::uint8_t* pending_row(int y) const {
     return pending_.data() + static_cast<std::size_t>(y + 1) * row_bytes_;
@@ -94,7 +94,7 @@ class PngFile final : public PictureFile {
   RowEncoder encoder_;
   std::optional<NumberScale> numbers_;
   Threads threads_;
-  Bytes pending_;  // the row before (zeros at the start), then the rows not yet deflated
+  PngBytes pending_;  // the row before (zeros at the start), then the rows not yet deflated
   int pending_rows_ = 0;
   int rows_ = 0;  // taken so far
   std::uint32_t adler_ = 1;
@@ -104,7 +104,7 @@ class PngFile final : public PictureFile {
 Result<void> PngFile::begin(const PngOptions& options) {
   png::Head facts = {options.width, options.height, options.bit_depth, channels_, {}, options.dpi};
   if (!options.numbers) facts.profile = options.color.profile;
-  const Result<Bytes> head = png::file_head(facts, options.provenance);
+  const Result<PngBytes> head = png::file_head(facts, options.provenance);
   if (!head) return head.error();
   file_->write(head->data(), head->size());
   return file_->status();
@@ -139,22 +139,22 @@ bool PngFile::encode_row(const PictureStrip& strip, int y, std::uint8_t* out) co
   return encoder_.encode(row, width_, strip.y0 + y, out);
 }
 
-Block PngFile::deflate_rows(int begin, int end, bool last) const {
-  Bytes filtered(static_cast<std::size_t>(end - begin) * (row_bytes_ + 1));
-  Bytes scratch(4 * row_bytes_);
+DeflateBlock PngFile::deflate_rows(int begin, int end, bool last) const {
+  PngBytes filtered(static_cast<std::size_t>(end - begin) * (row_bytes_ + 1));
+  PngBytes scratch(4 * row_bytes_);
   for (int y = begin; y < end; ++y)
     png::filter_row({pending_row(y), row_bytes_}, {pending_row(y - 1), row_bytes_},
                     channels_ * sample_bytes_, scratch,
                     filtered.data() + static_cast<std::size_t>(y - begin) * (row_bytes_ + 1));
-  Block block;
+  DeflateBlock block;
   block.bytes = filtered.size();
   block.adler = adler32_of(filtered);
   deflate_piece(filtered, last, kDeflateLevel, Repeats::kRuns, block.deflated);
   return block;
 }
 
-void PngFile::write_block(Block& block, bool last) {
-  Bytes data;
+void PngFile::write_block(DeflateBlock& block, bool last) {
+  PngBytes data;
   data.reserve(block.deflated.size() + 6);
   if (first_block_) data.insert(data.end(), {0x78, 0x01});  // zlib: deflate, 32 KiB, fastest
   first_block_ = false;
@@ -162,20 +162,20 @@ void PngFile::write_block(Block& block, bool last) {
   adler_ = adler32_joined(adler_, block.adler, block.bytes);
   for (int shift = 24; last && shift >= 0; shift -= 8)
     data.push_back(static_cast<std::uint8_t>(adler_ >> shift));
-  const Bytes whole = png::chunk("IDAT", data);
+  const PngBytes whole = png::chunk("IDAT", data);
   file_->write(whole.data(), whole.size());
 }
 
 void PngFile::deflate_whole_blocks() {
   const int count = pending_rows_ / rows_per_block_;
   if (count == 0) return;
-  std::vector<Block> blocks(static_cast<std::size_t>(count));
+  std::vector<DeflateBlock> blocks(static_cast<std::size_t>(count));
   threads_.for_ranges(0, count, 1, [&](int begin, int end) {
     for (int i = begin; i < end; ++i)
       blocks[static_cast<std::size_t>(i)] =
           deflate_rows(i * rows_per_block_, (i + 1) * rows_per_block_, false);
   });
-  for (Block& block : blocks) write_block(block, false);
+  for (DeflateBlock& block : blocks) write_block(block, false);
   // Keep the last deflated row: the next one is filtered against it.
   const std::size_t done = static_cast<std::size_t>(count * rows_per_block_) * row_bytes_;
   pending_.erase(pending_.begin(), pending_.begin() + static_cast<std::ptrdiff_t>(done));
@@ -184,9 +184,9 @@ void PngFile::deflate_whole_blocks() {
 
 Result<Published> PngFile::complete() {
   PENTIMENTO_CHECK(rows_ == height_);
-  Block rest = deflate_rows(0, pending_rows_, true);
+  DeflateBlock rest = deflate_rows(0, pending_rows_, true);
   write_block(rest, true);
-  const Bytes end = png::chunk("IEND", {});
+  const PngBytes end = png::chunk("IEND", {});
   file_->write(end.data(), end.size());
   return file_->complete();
 }

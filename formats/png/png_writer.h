@@ -1,13 +1,13 @@
 #pragma once
-// PNG out: 8 or 16 bit RGB, streamed in strips deflated by several threads, published atomically.
-// Takes scene-linear strips (Rec. 709) and encodes the profile's colours once, here. Or numbers
-// that are no colours, as 16-bit codes of an even scale.
+// Writes PNG: 8 or 16 bit RGB, in strips that several threads deflate, published atomically. It
+// takes scene-linear strips (Rec. 709); this is the only place where colours are encoded. It can
+// also write numbers that are no colours, as 16-bit codes of an even scale.
 
 #include <memory>
 #include <optional>
 #include <string>
 
-#include "core/result.h"
+#include "core/base/result.h"
 #include "formats/color/row_encoder.h"
 #include "formats/io/picture_file.h"
 

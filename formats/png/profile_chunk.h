@@ -12,8 +12,8 @@ namespace pentimento::png {
 /// The chunk's data for `profile`.
 std::vector<std::uint8_t> iccp_data(ColorProfile profile);
 
-/// What the profile in a chunk's data says; the chunk's own name for it where the profile is broken
-/// or has no title. Profiles beyond 4 MiB are not looked at.
+/// What the profile in a chunk's data says. If the profile is broken, has no title or is larger
+/// than 4 MiB, the title is the name in the chunk.
 IccDescription describe_iccp(std::span<const std::uint8_t> data);
 
 }  // namespace pentimento::png

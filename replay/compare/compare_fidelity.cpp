@@ -25,13 +25,13 @@ class Pair {
         factor_(fine.geometry().width / coarse.geometry().width),
         threads_(threads) {}
 
-  struct Planes {
+  struct PlanePair {
     Field<float> a, b;
   };
-  Planes read(PlaneId plane) const {
+  PlanePair read(PlaneId plane) const {
     return {block_means(coarse_, plane, 1, threads_), block_means(fine_, plane, factor_, threads_)};
   }
-  Planes zero() const {
+  PlanePair zero() const {
     const CanvasGeometry& grid = coarse_.geometry();
     return {Field<float>(grid.width, grid.height), Field<float>(grid.width, grid.height)};
   }
@@ -43,12 +43,12 @@ class Pair {
   const Threads& threads_;
 };
 
-void add(const Pair::Planes& planes, float factor, Pair::Planes& to) {
+void add(const Pair::PlanePair& planes, float factor, Pair::PlanePair& to) {
   add(planes.a, factor, to.a);
   add(planes.b, factor, to.b);
 }
 
-void tell(const std::string& name, const Pair::Planes& planes, Comparison& out) {
+void tell(const std::string& name, const Pair::PlanePair& planes, Comparison& out) {
   out.planes.push_back(fidelity(name, planes.a.view(), planes.b.view()));
 }
 
@@ -63,14 +63,14 @@ void compare_reduced(const CanvasSource& coarse, const CanvasSource& fine,
                      const ChannelBasis& basis, const Threads& threads, Comparison& out) {
   const Pair pair(coarse, fine, threads);
   tell("/fluid/depth", pair.read({PlaneKind::kDepth}), out);
-  Pair::Planes dried = pair.read({PlaneKind::kBase});
+  Pair::PlanePair dried = pair.read({PlaneKind::kBase});
   add(pair.read({PlaneKind::kPaper}), -1.0f, dried);
   tell("dried paint", dried, out);
-  Pair::Planes total = pair.zero();
+  Pair::PlanePair total = pair.zero();
   for (int c = 0; c < coarse.channels(); ++c) {
-    Pair::Planes sum = pair.zero();
+    Pair::PlanePair sum = pair.zero();
     for (int layer = 0; layer < coarse.layers(); ++layer) {
-      const Pair::Planes planes = pair.read(pigment_plane(layer, c));
+      const Pair::PlanePair planes = pair.read(pigment_plane(layer, c));
       tell(fmt::format("/layers/pigment[{},{}]", layer, c), planes, out);
       out.planes.back().locked = false;
       add(planes, 1.0f, sum);

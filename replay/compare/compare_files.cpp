@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::int64_t kMostPixels = std::int64_t{1} << 29;  // posters: 6 GB a picture
 
-/// By its first bytes; what cannot be opened is left to the readers to report.
+/// Tells a dump by its first bytes. If a file cannot be opened, the readers report it.
 bool is_hdf5(const std::string& path) {
   constexpr std::string_view kSignature = "\x89HDF\r\n\x1A\n";
   std::FILE* file = std::fopen(path.c_str(), "rbe");

@@ -26,7 +26,7 @@ Field<float> stored_values(const Field<float>& plane, bool is_alpha, ColorProfil
   return mapped(plane, [profile](double v) { return encode_transfer(profile, v); });
 }
 
-/// All that is said about `image`, without its planes.
+/// A copy of `image` without its planes.
 Image without_planes(const Image& image) {
   Image out;
   out.width = image.width;
@@ -41,7 +41,7 @@ Image without_planes(const Image& image) {
   return out;
 }
 
-/// In the primaries of Rec. 709.
+/// Converts to the primaries of Rec. 709.
 Image as_rec709(const Image& image) {
   Image out = without_planes(image);
   for (const Field<float>& plane : image.plane) out.plane.push_back(plane.clone());
@@ -79,7 +79,7 @@ void add_flip(const Image& a, const Image& b, const Threads& threads, Comparison
   out.flip_max = largest;
 }
 
-/// By area means of linear light, to the size of `other`.
+/// Reduces by area means of linear light, to the size of `other`.
 Image reduced(const Image& image, const Image& other) {
   Image out = without_planes(image);
   out.width = other.width;

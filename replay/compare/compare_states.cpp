@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "formats/log/model_fields.h"
+#include "formats/log/tables/model_fields.h"
 #include "replay/compare/compare.h"
 #include "replay/compare/plane_difference.h"
 
@@ -122,7 +122,7 @@ Result<Comparison> compare_states(const StateDump& a, const StateDump& b, const 
     return out;
   }
   out.reduced = std::max(up, down);
-  out.notes.push_back(fmt::format("the finer canvas was reduced {} times", out.reduced));
+  out.notes.push_back(fmt::format("the detail canvas was reduced {} times", out.reduced));
   if (up > 0) {
     compare_reduced(s, t, a.basis, threads, out);
   } else {

@@ -1,6 +1,6 @@
 #pragma once
-// What differs between two pictures or two states, how much and where, and whether that is within
-// what the user allows. NaN equals NaN and differs from everything else.
+// A comparison: what differs between two pictures or two states, how much and where, and whether
+// the user allows it. NaN equals NaN and differs from everything else.
 
 #include <cstdint>
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace pentimento {
 
-/// Of one picture channel or one dataset.
+/// The differences in one channel of a picture or one dataset.
 struct PlaneDifference {
   std::string name;
   double max = 0;        // largest |a - b|; infinite where only one side is finite
@@ -23,12 +23,12 @@ struct PlaneDifference {
   // Of a canvas against a finer one that was reduced, see fidelity():
   std::optional<double> relative_l2 = std::nullopt;
   std::optional<double> worst_block = std::nullopt;
-  // Whether relative_l2 and worst_block have limits: a single layer of a finer canvas has none,
+  // Whether relative_l2 and worst_block have limits: a single layer of a detail canvas has none,
   // only the sum over layers is locked where a stroke's edge runs through a cell.
   bool locked = true;
 };
 
-/// What is allowed. Nothing set: not a single value may differ.
+/// The differences that are allowed. If nothing is set, not a single value may differ.
 struct CompareThresholds {
   std::optional<double> max = std::nullopt;        // of each plane
   std::optional<double> rms = std::nullopt;        // of each plane
@@ -46,8 +46,8 @@ struct CompareThresholds {
 struct Comparison {
   std::string a, b;                     // the files
   std::string kind;                     // "picture" or "state"
-  int reduced = 1;                      // the finer one was, by this factor
-  std::vector<PlaneDifference> planes;  // what both have
+  int reduced = 1;                      // the finer one was reduced by this factor
+  std::vector<PlaneDifference> planes;  // the planes that both have
   std::vector<std::string> notes;   // what cannot be compared: sizes, missing planes, parameters
   bool comparable = true;           // false: a note alone makes them differ
   std::optional<double> flip_mean;  // pictures only

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/check.h"
+#include "core/base/check.h"
 #include "replay/compare/convolve.h"
 #include "replay/compare/flip_color.h"
 
@@ -12,8 +12,8 @@ namespace pentimento {
 
 namespace {
 
-using flip::Color;
-using Planes = std::array<Field<float>, 3>;
+using flip::ColorTriple;
+using ColorPlanes = std::array<Field<float>, 3>;
 
 // The paper's constants.
 constexpr double kColorExponent = 0.7;    // q_c
@@ -74,13 +74,13 @@ Field<float> filtered(FieldView<const float> in, const Sensitivity& s, double pp
   return out;
 }
 
-Planes opponent_planes(const RgbPlanes& rgb, const Threads& threads) {
-  Planes out;
+ColorPlanes opponent_planes(const RgbPlanes& rgb, const Threads& threads) {
+  ColorPlanes out;
   const int width = rgb[0].width(), height = rgb[0].height();
   for (Field<float>& plane : out) plane = Field<float>(width, height);
   threads.for_rows(height, [&](int y) {
     for (int x = 0; x < width; ++x) {
-      Color c{};
+      ColorTriple c{};
       for (std::size_t i = 0; i < 3; ++i)
         c[i] = static_cast<double>(std::clamp(rgb[i](x, y), 0.0f, 1.0f));
       c = flip::ycxcz_of_rgb(c);
@@ -91,16 +91,16 @@ Planes opponent_planes(const RgbPlanes& rgb, const Threads& threads) {
 }
 
 /// The filtered picture's colour, as differences are measured in.
-Color seen_color(const Planes& planes, int x, int y) {
-  Color rgb = flip::rgb_of_ycxcz({static_cast<double>(planes[0](x, y)),
-                                  static_cast<double>(planes[1](x, y)),
-                                  static_cast<double>(planes[2](x, y))});
+ColorTriple seen_color(const ColorPlanes& planes, int x, int y) {
+  ColorTriple rgb = flip::rgb_of_ycxcz({static_cast<double>(planes[0](x, y)),
+                                        static_cast<double>(planes[1](x, y)),
+                                        static_cast<double>(planes[2](x, y))});
   for (double& v : rgb) v = std::clamp(v, 0.0, 1.0);
   return flip::hunt_lab_of_rgb(rgb);
 }
 
 /// The colour difference squeezed into 0..1: most of the range for small ones.
-double color_error(const Color& a, const Color& b) {
+double color_error(const ColorTriple& a, const ColorTriple& b) {
   static const double largest =
       std::pow(flip::hyab(flip::hunt_lab_of_rgb({0, 1, 0}), flip::hunt_lab_of_rgb({0, 0, 1})),
                kColorExponent);
@@ -159,14 +159,14 @@ Field<float> feature_difference(const Field<float>& reference, const Field<float
   return largest;
 }
 
-Field<float> luma_of(const Planes& opponent) {
+Field<float> luma_of(const ColorPlanes& opponent) {
   Field<float> luma(opponent[0].width(), opponent[0].height());
   for (int y = 0; y < luma.height(); ++y)
     for (int x = 0; x < luma.width(); ++x) luma(x, y) = (opponent[0](x, y) + 16) / 116;
   return luma;
 }
 
-void filter_planes(Planes& planes, double ppd, const Threads& threads) {
+void filter_planes(ColorPlanes& planes, double ppd, const Threads& threads) {
   const std::array<Sensitivity, 3> sensitivities = {kAchromatic, kRedGreen, kBlueYellow};
   for (std::size_t i = 0; i < 3; ++i)
     planes[i] = filtered(planes[i].view(), sensitivities[i], ppd, threads);
@@ -178,8 +178,8 @@ Field<float> flip_map(const RgbPlanes& reference, const RgbPlanes& test, double 
                       const Threads& threads) {
   const int width = reference[0].width(), height = reference[0].height();
   PENTIMENTO_CHECK(test[0].width() == width && test[0].height() == height);
-  Planes a = opponent_planes(reference, threads);
-  Planes b = opponent_planes(test, threads);
+  ColorPlanes a = opponent_planes(reference, threads);
+  ColorPlanes b = opponent_planes(test, threads);
   const Field<float> features =
       feature_difference(luma_of(a), luma_of(b), pixels_per_degree, threads);
   filter_planes(a, pixels_per_degree, threads);

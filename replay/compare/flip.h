@@ -5,8 +5,8 @@
 
 #include <array>
 
-#include "core/field.h"
-#include "core/threads.h"
+#include "core/base/field.h"
+#include "core/base/threads.h"
 
 namespace pentimento {
 

@@ -16,8 +16,8 @@ constexpr double white(int i) {
 }
 
 /// XYZ relative to white.
-Color relative_xyz(const Color& rgb) {
-  Color xyz{};
+ColorTriple relative_xyz(const ColorTriple& rgb) {
+  ColorTriple xyz{};
   for (std::size_t i = 0; i < 3; ++i)
     xyz[i] = (kXyz[i][0] * rgb[0] + kXyz[i][1] * rgb[1] + kXyz[i][2] * rgb[2]) /
              white(static_cast<int>(i));
@@ -25,7 +25,7 @@ Color relative_xyz(const Color& rgb) {
 }
 
 /// The inverse of relative_xyz, by Cramer's rule.
-Color rgb_of_relative_xyz(const Color& xyz) {
+ColorTriple rgb_of_relative_xyz(const ColorTriple& xyz) {
   double m[3][3];
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) m[i][j] = kXyz[i][j] / white(i);
@@ -34,7 +34,7 @@ Color rgb_of_relative_xyz(const Color& xyz) {
     return m[a][c] * m[b][d] - m[a][d] * m[b][c];
   };
   const double determinant = m[0][0] * minor(0, 0) + m[0][1] * minor(0, 1) + m[0][2] * minor(0, 2);
-  Color rgb{};
+  ColorTriple rgb{};
   for (int j = 0; j < 3; ++j)
     rgb[static_cast<std::size_t>(j)] =
         (minor(0, j) * xyz[0] + minor(1, j) * xyz[1] + minor(2, j) * xyz[2]) / determinant;
@@ -49,25 +49,25 @@ double lab_curve(double t) {
 
 }  // namespace
 
-Color ycxcz_of_rgb(const Color& rgb) {
-  const Color t = relative_xyz(rgb);
+ColorTriple ycxcz_of_rgb(const ColorTriple& rgb) {
+  const ColorTriple t = relative_xyz(rgb);
   return {116 * t[1] - 16, 500 * (t[0] - t[1]), 200 * (t[1] - t[2])};
 }
 
-Color rgb_of_ycxcz(const Color& ycc) {
+ColorTriple rgb_of_ycxcz(const ColorTriple& ycc) {
   const double y = (ycc[0] + 16) / 116;
   return rgb_of_relative_xyz({y + ycc[1] / 500, y, y - ycc[2] / 200});
 }
 
-Color hunt_lab_of_rgb(const Color& rgb) {
-  const Color t = relative_xyz(rgb);
+ColorTriple hunt_lab_of_rgb(const ColorTriple& rgb) {
+  const ColorTriple t = relative_xyz(rgb);
   const double L = 116 * lab_curve(t[1]) - 16;
   const double a = 500 * (lab_curve(t[0]) - lab_curve(t[1]));
   const double b = 200 * (lab_curve(t[1]) - lab_curve(t[2]));
   return {L, 0.01 * L * a, 0.01 * L * b};
 }
 
-double hyab(const Color& a, const Color& b) {
+double hyab(const ColorTriple& a, const ColorTriple& b) {
   const double da = a[1] - b[1], db = a[2] - b[2];
   return std::abs(a[0] - b[0]) + std::sqrt(da * da + db * db);
 }

@@ -6,14 +6,14 @@
 
 namespace pentimento::flip {
 
-using Color = std::array<double, 3>;
+using ColorTriple = std::array<double, 3>;
 
 /// Linear Rec. 709 to YCxCz and back.
-Color ycxcz_of_rgb(const Color& rgb);
-Color rgb_of_ycxcz(const Color& ycc);
+ColorTriple ycxcz_of_rgb(const ColorTriple& rgb);
+ColorTriple rgb_of_ycxcz(const ColorTriple& ycc);
 /// CIELAB, its a and b scaled by 0.01 L: colours are seen less in the dark (Hunt).
-Color hunt_lab_of_rgb(const Color& rgb);
+ColorTriple hunt_lab_of_rgb(const ColorTriple& rgb);
 /// Difference in lightness plus distance in colour (Abasi, Amani Tehran and Fairchild 2020).
-double hyab(const Color& a, const Color& b);
+double hyab(const ColorTriple& a, const ColorTriple& b);
 
 }  // namespace pentimento::flip

@@ -1,14 +1,14 @@
 #pragma once
-// Planes of a canvas reduced by a whole factor, block by block, and never held whole before.
+// Reduces planes of a canvas by a whole factor, block by block, without ever holding a whole plane.
 
-#include "core/canvas_source.h"
-#include "core/field.h"
-#include "core/threads.h"
+#include "core/base/field.h"
+#include "core/base/threads.h"
+#include "core/canvas/canvas_source.h"
 
 namespace pentimento {
 
-/// Mean of each block of factor x factor cells; the grid is a whole multiple of `factor`. Sums are
-/// in double, row by row: no rounding worth naming up to factor 32.
+/// The mean of each block of factor x factor cells. The sides of the grid must be multiples of
+/// `factor`. Sums are in double, row by row, so rounding does not matter up to factor 32.
 Field<float> block_means(const CanvasSource& canvas, PlaneId plane, int factor,
                          const Threads& threads);
 

@@ -1,7 +1,7 @@
 #include "replay/timeline/brush_track.h"
 
-#include "core/model.h"
-#include "formats/log/slider_fields.h"
+#include "core/model/model.h"
+#include "formats/log/tables/slider_fields.h"
 
 namespace pentimento {
 

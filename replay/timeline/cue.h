@@ -1,26 +1,27 @@
 #pragma once
-// What the timeline hands to the player: the log's events with strokes turned into stamps, in the
-// order in which they act, each with the simulation step before which it does.
+// Cues: what the timeline hands to the player. They are the log's events, with touches turned into
+// stamps, in the order in which they act. Each has the simulation step before which it acts.
 
 #include <cstdint>
 #include <variant>
 
 #include "core/brush/stamp.h"
-#include "formats/log/events.h"
+#include "formats/log/tables/events.h"
 
 namespace pentimento {
 
-/// `hand` numbers the touches that are down at once, from 0: the lowest free number is taken.
+/// A touch goes down. `slot` numbers the touches that are down at once, from 0; a new touch takes
+/// the lowest free number.
 struct StrokeBegin {
-  int hand = 0;
+  int slot = 0;
   std::uint32_t stroke_id = 0;  // from 1, played strokes only
 };
 struct StrokeStamp {
-  int hand = 0;
+  int slot = 0;
   Stamp stamp;
 };
 struct StrokeEnd {
-  int hand = 0;
+  int slot = 0;
 };
 
 struct Cue {

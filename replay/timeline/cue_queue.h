@@ -1,10 +1,10 @@
 #pragma once
-// Cues waiting for their turn: in the order of (time, place in the log, arrival).
+// A queue of cues that wait for their turn, in the order of (time, place in the log, arrival).
 
 #include <cstdint>
 #include <vector>
 
-#include "formats/log/events.h"
+#include "formats/log/tables/events.h"
 #include "replay/timeline/cue.h"
 
 namespace pentimento {

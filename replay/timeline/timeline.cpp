@@ -22,7 +22,7 @@ struct Timeline::Impl {
   Result<void> read_one();
   void take(const log::Event& event);
   void take_touch(const log::Touch& touch, const log::Event& event);
-  bool front_is_settled() const;
+  bool front_is_final() const;
   std::optional<Cue> release();
 
   log::Reader& reader;
@@ -44,7 +44,7 @@ Timeline::~Timeline() = default;
 
 Result<std::optional<Cue>> Timeline::next() {
   while (true) {
-    while (!impl_->front_is_settled()) {
+    while (!impl_->front_is_final()) {
       if (impl_->at_end) return std::optional<Cue>{};
       if (Result<void> read = impl_->read_one(); !read) return read.error();
     }
@@ -78,29 +78,30 @@ void Timeline::Impl::take(const log::Event& event) {
 
 void Timeline::Impl::take_touch(const log::Touch& touch, const log::Event& event) {
   const PlacedTouch at{touch, {event.time_us, place}, event.line};
-  const BrushReach reach{brush.diameter_m(), brush.spacing_frac()};
+  const BrushSize size{brush.diameter_m(), brush.spacing_frac()};
   switch (touch.phase) {
     case log::TouchPhase::kDown:
       if (!input.undo.played(unit++)) return;
-      touches.down(at, reach, stroke_id++, queue);
+      touches.down(at, size, stroke_id++, queue);
       return;
     case log::TouchPhase::kMove:
-      touches.move(at, reach, queue);
+      touches.move(at, size, queue);
       return;
     case log::TouchPhase::kUp:
     case log::TouchPhase::kCancel:
-      touches.up(at, reach, queue);
+      touches.up(at, size, queue);
   }
 }
 
-/// Whether nothing that is still to come can be before the front of the queue.
-bool Timeline::Impl::front_is_settled() const {
+/// Whether no cue that is still to come can be before the front of the queue.
+bool Timeline::Impl::front_is_final() const {
   if (queue.empty()) return false;
   if (at_end || queue.size() >= kMaxPending) return true;
-  const std::optional<LogMoment> settled = touches.settled_until();
-  if (!settled) return true;
+  const std::optional<LogMoment> final_moment = touches.final_until();
+  if (!final_moment) return true;
   const PendingCue& front = queue.front();
-  return std::tie(front.cue.time_us, front.place) < std::tie(settled->time_us, settled->place);
+  return std::tie(front.cue.time_us, front.place) <
+         std::tie(final_moment->time_us, final_moment->place);
 }
 
 /// Takes the front cue and says in which step it acts; nothing for a `step` event, which only

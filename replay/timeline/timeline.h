@@ -1,27 +1,29 @@
 #pragma once
-// From a log to cues in the order in which they act. A stroke's stamps are spread over the time
-// between its samples, and the piece of a curve between two samples is known only when the sample
-// after them is: so the timeline reads ahead until every touch that is down has passed the moment
-// it hands out. The picture then does not depend on how often the device sent samples.
+// The timeline: turns a log into cues in the order in which they act. The stamps of a stroke are
+// spread over the time between its samples, and the piece of the path between two samples is known
+// only when the next sample is. So the timeline reads ahead until every touch that is down has
+// passed the moment of the cue that it hands out. Then the picture does not depend on how often the
+// device sent samples.
 //
-// Memory: it holds at most kMaxPending cues and events. A touch that stays down while more than
-// that happens stops the others no longer: what it paints then is laid late, where it is found.
+// Memory: the timeline holds at most kMaxPending cues and events. If more happens while a touch
+// stays down, the timeline no longer waits for that touch: the stamps of the touch then come late,
+// when they are known.
 
 #include <cstdint>
 #include <memory>
 #include <optional>
 
-#include "core/result.h"
-#include "formats/log/events.h"
+#include "core/base/result.h"
 #include "formats/log/reader.h"
-#include "replay/brushes.h"
+#include "formats/log/tables/events.h"
+#include "replay/job/step_clock.h"
+#include "replay/log/brushes.h"
 #include "replay/timeline/cue.h"
-#include "replay/timeline/step_clock.h"
 #include "replay/timeline/undo.h"
 
 namespace pentimento {
 
-/// What a first pass over the log found; both outlive the timeline.
+/// What a first pass over the log found. The references must outlive the timeline.
 struct TimelineInput {
   const UndoTable& undo;
   const BrushTable& brushes;
@@ -33,7 +35,7 @@ class Timeline {
  public:
   static constexpr std::size_t kMaxPending = 1 << 16;
 
-  /// `reader` stands before its first event and outlives the timeline.
+  /// `reader` must stand before its first event and must outlive the timeline.
   Timeline(log::Reader& reader, const TimelineInput& input);
   ~Timeline();
 

@@ -39,19 +39,19 @@ Touches::Down* Touches::find(std::int64_t id) {
   return found == down_.end() ? nullptr : &*found;
 }
 
-int Touches::free_hand() const {
-  int hand = 0;
-  const auto taken = [&](const Down& d) { return d.hand == hand; };
-  while (std::any_of(down_.begin(), down_.end(), taken)) ++hand;
-  return hand;
+int Touches::free_slot() const {
+  int slot = 0;
+  const auto taken = [&](const Down& d) { return d.slot == slot; };
+  while (std::any_of(down_.begin(), down_.end(), taken)) ++slot;
+  return slot;
 }
 
-void Touches::down(const PlacedTouch& at, const BrushReach& brush, std::uint32_t stroke_id,
+void Touches::down(const PlacedTouch& at, const BrushSize& brush, std::uint32_t stroke_id,
                    CueQueue& out) {
-  const int hand = free_hand();
+  const int slot = free_slot();
   const TouchSample sample = sample_of(at, brush.diameter_m);
   Down down{at.touch.id,
-            hand,
+            slot,
             StrokePath(brush.spacing_frac, canvas_.width_m, canvas_.height_m),
             at.moment,
             at.moment,
@@ -59,11 +59,11 @@ void Touches::down(const PlacedTouch& at, const BrushReach& brush, std::uint32_t
             at.line,
             sample.pressure};
   down.path.begin(sample);
-  out.push({{at.moment.time_us, at.line, 0, StrokeBegin{hand, stroke_id}}, at.moment.place, 0});
+  out.push({{at.moment.time_us, at.line, 0, StrokeBegin{slot, stroke_id}}, at.moment.place, 0});
   down_.push_back(std::move(down));
 }
 
-void Touches::move(const PlacedTouch& at, const BrushReach& brush, CueQueue& out) {
+void Touches::move(const PlacedTouch& at, const BrushSize& brush, CueQueue& out) {
   Down* down = find(at.touch.id);
   if (down == nullptr) return;
   TouchSample sample = sample_of(at, brush.diameter_m);
@@ -78,7 +78,7 @@ void Touches::move(const PlacedTouch& at, const BrushReach& brush, CueQueue& out
   down->pressure = sample.pressure;
 }
 
-void Touches::up(const PlacedTouch& at, const BrushReach& brush, CueQueue& out) {
+void Touches::up(const PlacedTouch& at, const BrushSize& brush, CueQueue& out) {
   Down* down = find(at.touch.id);
   if (down == nullptr) return;
   move(at, brush, out);
@@ -94,7 +94,7 @@ void Touches::end(CueQueue& out) {
 void Touches::finish(Down& down, CueQueue& out) {
   down.path.finish(stamps_);
   emit(down, out);
-  out.push({{down.last.time_us, down.line, 0, StrokeEnd{down.hand}}, down.last.place, 0});
+  out.push({{down.last.time_us, down.line, 0, StrokeEnd{down.slot}}, down.last.place, 0});
 }
 
 /// Moves the stamps that are final into the queue. A stamp takes the place of the sample that it
@@ -103,12 +103,12 @@ void Touches::emit(const Down& down, CueQueue& out) {
   for (const Stamp& stamp : stamps_) {
     const std::int64_t time_us = microseconds(stamp.time_s);
     const std::int64_t place = time_us >= down.last.time_us ? down.last.place : down.before.place;
-    out.push({{time_us, down.line, 0, StrokeStamp{down.hand, stamp}}, place, 0});
+    out.push({{time_us, down.line, 0, StrokeStamp{down.slot, stamp}}, place, 0});
   }
   stamps_.clear();
 }
 
-std::optional<LogMoment> Touches::settled_until() const {
+std::optional<LogMoment> Touches::final_until() const {
   std::optional<LogMoment> first;
   for (const Down& down : down_) {
     const LogMoment moment{microseconds(down.path.final_until_s()), down.before.place};

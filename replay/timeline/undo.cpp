@@ -61,7 +61,8 @@ void UndoTable::redo() {
   undone_.pop_back();
 }
 
-/// The device took the touch back (a palm, a gesture): the stroke never was, and cannot be redone.
+/// The device took the touch back (a palm, a gesture). The stroke counts as never painted, and
+/// cannot be redone.
 void UndoTable::cancel(std::int64_t id) {
   const auto open =
       std::find_if(open_.begin(), open_.end(), [id](const OpenTouch& t) { return t.id == id; });

@@ -1,14 +1,14 @@
 #pragma once
-// Undo and redo, resolved before anything is played: what was undone is never simulated, so it
+// Undo and redo are resolved before anything is played: an undone unit is never simulated, so it
 // leaves no trace. A unit is one stroke (from the `down` of a touch), one `dry`, one `clear` or one
-// `load`, in the order in which they begin. Gravity, sliders, colours and time are no units: they
-// stay. As in every painting program a new unit ends what could be redone, and an undo or redo
-// with nothing to act on does nothing; it is counted.
+// `load`. Units are numbered in the order in which they begin. Gravity, sliders, colours and time
+// are no units and stay. As in every painting program, nothing can be redone after a new unit. An
+// undo or redo with nothing to act on does nothing, but is counted.
 
 #include <cstdint>
 #include <vector>
 
-#include "formats/log/events.h"
+#include "formats/log/tables/events.h"
 
 namespace pentimento {
 

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "replay/easel.h"
+#include "replay/commands/easel.h"
 
 using namespace pentimento;
 

@@ -5,8 +5,8 @@
 
 #include "core/brush/builtin_brushes.h"
 #include "core/brush/stroke_path.h"
-#include "core/optics/pigment_library.h"
-#include "core/simulation.h"
+#include "core/optics/paints/pigment_library.h"
+#include "core/simulation/simulation.h"
 
 namespace pentimento {
 namespace {

@@ -10,7 +10,8 @@
 #include <ctime>
 #include <string>
 
-#include "core/fluid/conservative/transport.h"
+#include "core/fluid/conservative/advection/advection.h"
+#include "core/simulation/make_scheme.h"
 #include "tests/core/fluid/conservative/basin.h"
 
 namespace pentimento::conservative {
@@ -91,11 +92,11 @@ BENCHMARK(ConservativeStep)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseR
 void ConservativeMovePaint(benchmark::State& state) {
   Basin b = running_canvas(static_cast<int>(state.range(1)));
   const Axis axis = state.range(0) == 0 ? Axis::kX : Axis::kY;
-  Tiles tiles(b.state.geometry, b.model.sleep_tile_m);
+  SleepTiles tiles(b.state.geometry, b.model.sleep_tile_m);
   b.state.sleep.clear();
   const StepInput in{b.model, b.gravity_m_s2, b.dt_s, b.contact, b.amount, b.pool};
   tiles.wake(b.state, in);
-  for (auto _ : state) move_paint(b.state, in, axis, tiles);
+  for (auto _ : state) advect_paint(b.state, in, axis, tiles);
   report(state);
 }
 BENCHMARK(ConservativeMovePaint)
@@ -106,13 +107,13 @@ BENCHMARK(ConservativeMovePaint)
 void ConservativeMoveMomentum(benchmark::State& state) {
   Basin b = running_canvas(static_cast<int>(state.range(1)));
   const Axis axis = state.range(0) == 0 ? Axis::kX : Axis::kY;
-  Tiles tiles(b.state.geometry, b.model.sleep_tile_m);
+  SleepTiles tiles(b.state.geometry, b.model.sleep_tile_m);
   Workspace work(b.state.geometry);
   b.state.sleep.clear();
   const StepInput in{b.model, b.gravity_m_s2, b.dt_s, b.contact, b.amount, b.pool};
   tiles.wake(b.state, in);
   fill_node_masses(b.state, tiles, b.pool, work);
-  for (auto _ : state) move_momentum(b.state, in, axis, Turn::kFirst, tiles, work);
+  for (auto _ : state) advect_momentum(b.state, in, axis, Turn::kFirst, tiles, work);
   report(state);
 }
 BENCHMARK(ConservativeMoveMomentum)

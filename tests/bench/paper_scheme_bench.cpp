@@ -4,8 +4,9 @@
 
 #include <benchmark/benchmark.h>
 
+#include "core/base/approx.h"
+#include "core/base/random.h"
 #include "core/fluid/paper/depth.h"
-#include "core/fluid/paper/front.h"
 #include "core/fluid/paper/gravity.h"
 #include "core/fluid/paper/height_sweep.h"
 #include "core/fluid/paper/height_system.h"
@@ -14,9 +15,8 @@
 #include "core/fluid/paper/trace.h"
 #include "core/fluid/paper/velocity_limits.h"
 #include "core/fluid/paper/viscosity.h"
+#include "core/fluid/paper/wet_front.h"
 #include "core/fluid/rheology.h"
-#include "core/math/approx.h"
-#include "core/math/random.h"
 
 namespace pentimento::paper {
 namespace {
@@ -165,7 +165,7 @@ void BM_PigmentOfOneLayer(benchmark::State& run) {
   const int layer = static_cast<int>(run.range(3));
   time_pass(run, [layer](Canvas& c, const StepConstants& k, int y) {
     Planes& p = c.planes;
-    trace_pigment_row(k, c.state, layer, p.u_m_s[0].row(y), p.v_m_s[0].row(y), y, c.columns(), p);
+    advect_pigment_row(k, c.state, layer, p.u_m_s[0].row(y), p.v_m_s[0].row(y), y, c.columns(), p);
   });
 }
 
@@ -178,7 +178,7 @@ void BM_StorePigmentOfOneLayer(benchmark::State& run) {
 void BM_CountAndLoosenLayers(benchmark::State& run) {
   time_pass(run, [](Canvas& c, const StepConstants&, int y) {
     count_layers_row(c.state, y, c.columns(), c.planes);
-    loosen_row(c.state, c.amount, c.model.pigment_residue, y, c.columns(), c.planes);
+    find_free_row(c.state, c.amount, c.model.pigment_residue, y, c.columns(), c.planes);
   });
 }
 
@@ -186,10 +186,10 @@ void BM_FrontAndVelocity(benchmark::State& run) {
   time_pass(run, [](Canvas& c, const StepConstants& k, int y) {
     Planes& p = c.planes;
     const Velocity velocity{p.u_m_s[0], p.v_m_s[0]};
-    reach_along_row(k, c.state, c.contact, velocity, y, c.columns(), p.reach);
-    reach_along_columns(k, c.state, c.contact, velocity, c.columns(), y, y + 1, p.reach);
+    advance_front_along_row(k, c.state, c.contact, velocity, y, c.columns(), p.inflow);
+    advance_front_along_columns(k, c.state, c.contact, velocity, c.columns(), y, y + 1, p.inflow);
     benchmark::DoNotOptimize(
-        update_velocity_row(c.contact, velocity, p.reach, y, c.columns(), c.state));
+        update_velocity_row(c.contact, velocity, p.inflow, y, c.columns(), c.state));
   });
 }
 

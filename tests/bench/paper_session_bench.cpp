@@ -4,9 +4,9 @@
 
 #include <benchmark/benchmark.h>
 
-#include "core/fluid/scheme.h"
-#include "core/math/approx.h"
-#include "core/math/random.h"
+#include "core/base/approx.h"
+#include "core/base/random.h"
+#include "core/simulation/make_scheme.h"
 
 namespace pentimento {
 namespace {

@@ -6,8 +6,8 @@
 #include <optional>
 #include <utility>
 
-#include "replay/log_plan.h"
-#include "replay/player.h"
+#include "replay/play/player.h"
+#include "replay/session/log_plan.h"
 #include "tests/replay/list_reader.h"
 
 namespace pentimento {

@@ -3,7 +3,7 @@
 // that of all its threads.
 #include <benchmark/benchmark.h>
 
-#include "core/optics/paint_maker.h"
+#include "core/optics/paints/paint_maker.h"
 #include "core/shading/shader.h"
 #include "tests/reference/painted_scene.h"
 

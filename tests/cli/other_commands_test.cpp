@@ -2,10 +2,10 @@
 
 #include <cmath>
 
-#include "formats/film/film_writer.h"
-#include "formats/film/video_reader.h"
 #include "formats/image/read_image.h"
 #include "formats/io/provenance.h"
+#include "formats/video/video_reader.h"
+#include "formats/video/video_writer.h"
 #include "tests/cli/command_run.h"
 
 namespace pentimento::test {
@@ -202,11 +202,11 @@ TEST(CommandRelight, InTheSameLightOfAProbeItIsTheRender) {
 TEST(CommandRelight, WhatAVideoShowsIsReflectedAtItsTime) {
   Workplace place;
   // Half a second dark, half a second bright; the event happens at 0.2 s of the log.
-  FilmOptions film;
+  VideoOptions film;
   film.width = 32;
   film.height = 18;
   film.frames_per_second = 2;
-  auto video = create_film(place.path("front.avi"), film);
+  auto video = create_video(place.path("front.avi"), film);
   ASSERT_TRUE(video.ok());
   for (const float light : {0.0f, 1.0f}) {
     const Field<float> plane(32, 18, light);

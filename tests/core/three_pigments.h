@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/optics/pigment_library.h"
+#include "core/optics/paints/pigment_library.h"
 
 namespace pentimento::test {
 

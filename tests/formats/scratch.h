@@ -14,8 +14,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/check.h"
-#include "core/field.h"
+#include "core/base/check.h"
+#include "core/base/field.h"
 #include "core/shading/picture.h"
 
 namespace pentimento::test {

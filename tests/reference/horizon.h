@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/canvas_state.h"
+#include "core/canvas/canvas_state.h"
 #include "core/optics/lighting.h"
 #include "core/shading/horizon.h"
 

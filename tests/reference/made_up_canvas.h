@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/canvas_source.h"
+#include "core/canvas/canvas_source.h"
 
 namespace pentimento::reference {
 

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <vector>
 
-#include "core/canvas_state.h"
+#include "core/canvas/canvas_state.h"
 #include "core/optics/channels.h"
 #include "core/optics/composite.h"
-#include "core/optics/pigment_library.h"
+#include "core/optics/paints/pigment_library.h"
 
 namespace pentimento::painted {
 

@@ -6,8 +6,8 @@
 #include <array>
 #include <cmath>
 
-#include "core/canvas_state.h"
-#include "core/model.h"
+#include "core/canvas/canvas_state.h"
+#include "core/model/model.h"
 #include "core/optics/channels.h"
 #include "core/optics/composite.h"
 #include "core/optics/gloss_table.h"

@@ -1,4 +1,4 @@
-// A finer canvas that is dumped to a file and read goes on as if nothing had happened.
+// A detail canvas that is dumped to a file and read goes on as if nothing had happened.
 
 #include <gtest/gtest.h>
 
@@ -6,11 +6,11 @@
 #include <bit>
 #include <string>
 
-#include "core/detail/detail_source.h"
+#include "core/detail/store/detail_source.h"
 #include "formats/hdf5/state_dump.h"
-#include "replay/changed_canvas.h"
-#include "replay/copies.h"
-#include "replay/lighting_track.h"
+#include "replay/play/changed_canvas.h"
+#include "replay/play/copies.h"
+#include "replay/play/lighting_track.h"
 #include "tests/core/detail/painted.h"
 #include "tests/core/three_pigments.h"
 #include "tests/formats/scratch.h"
@@ -22,15 +22,15 @@ using test::Painted;
 
 constexpr int kWidth = 64;
 
-/// The finer canvas of `from`, written and read.
+/// The detail canvas of `from`, written and read.
 StateDump through_a_file(Painted& from) {
   const test::Scratch scratch;
-  from.refinement().settle();
+  from.follower().finish_stamps();
   StateDump dump;
   dump.state = clone_state(from.sim().state());
-  dump.detail = from.refinement().canvas().layout().factor();
-  dump.fine = std::make_shared<DetailSource>(from.refinement().canvas(), from.sim().state());
-  dump.notes = from.refinement().notes();
+  dump.detail = from.follower().canvas().layout().factor();
+  dump.fine = std::make_shared<DetailSource>(from.follower().canvas(), from.sim().state());
+  dump.checkpoint = from.follower().checkpoint();
   dump.model = from.sim().model();
   dump.palette = test::three_pigments();
   dump.basis = from.sim().basis();
@@ -39,18 +39,18 @@ StateDump through_a_file(Painted& from) {
   EXPECT_TRUE(written) << written.error().message;
   Result<StateDump> back = read_state(scratch.path("a.h5"));
   EXPECT_TRUE(back) << back.error().message;
-  EXPECT_TRUE(back->notes == dump.notes);
+  EXPECT_TRUE(back->checkpoint == dump.checkpoint);
   return std::move(*back);  // its file stays open
 }
 
 std::string hash_of(Painted& painted) {
-  painted.refinement().settle();
-  return state_sha256(DetailSource(painted.refinement().canvas(), painted.sim().state()));
+  painted.follower().finish_stamps();
+  return state_sha256(DetailSource(painted.follower().canvas(), painted.sim().state()));
 }
 
-int waiting_cells(const DetailNotes& notes) {
+int waiting_cells(const DetailCheckpoint& checkpoint) {
   int count = 0;
-  for (const std::uint32_t word : notes.waiting) count += std::popcount(word);
+  for (const std::uint32_t word : checkpoint.waiting) count += std::popcount(word);
   return count;
 }
 
@@ -63,11 +63,11 @@ TEST_P(ContinueDetail, APaintingGoesOnBitForBit) {
   whole.stroke(2, 0.03, 0.1, 0.17, 0.05);
   const StateDump dump = through_a_file(whole);
   // Otherwise this test would say nothing.
-  EXPECT_GT(waiting_cells(*dump.notes), 0);
-  EXPECT_FALSE(dump.notes->left.empty());
-  rest.go_on_from(whole, clone_state(dump.state), *dump.fine, *dump.notes);
+  EXPECT_GT(waiting_cells(*dump.checkpoint), 0);
+  EXPECT_FALSE(dump.checkpoint->stamped.empty());
+  rest.go_on_from(whole, clone_state(dump.state), *dump.fine, *dump.checkpoint);
   EXPECT_EQ(hash_of(rest), hash_of(whole));
-  EXPECT_TRUE(rest.refinement().notes() == whole.refinement().notes());
+  EXPECT_TRUE(rest.follower().checkpoint() == whole.follower().checkpoint());
   for (Painted* p : {&whole, &rest}) {
     p->stroke(0, 0.05, 0.03, 0.12, 0.13);
     p->sim().set_gravity({3, 4, 8});
@@ -77,7 +77,7 @@ TEST_P(ContinueDetail, APaintingGoesOnBitForBit) {
   }
   EXPECT_EQ(state_sha256(rest.sim().state()), state_sha256(whole.sim().state()));
   EXPECT_EQ(hash_of(rest), hash_of(whole));
-  EXPECT_TRUE(rest.refinement().notes() == whole.refinement().notes());
+  EXPECT_TRUE(rest.follower().checkpoint() == whole.follower().checkpoint());
 }
 
 TEST(ContinueDetailOther, WhatWaitsForTheLockIsDumpedToo) {
@@ -85,8 +85,8 @@ TEST(ContinueDetailOther, WhatWaitsForTheLockIsDumpedToo) {
   whole.cross();
   whole.stamp_once(0.1, 0.07);  // no step after it
   const StateDump dump = through_a_file(whole);
-  rest.go_on_from(whole, clone_state(dump.state), *dump.fine, *dump.notes);
-  EXPECT_TRUE(rest.refinement().notes() == whole.refinement().notes());
+  rest.go_on_from(whole, clone_state(dump.state), *dump.fine, *dump.checkpoint);
+  EXPECT_TRUE(rest.follower().checkpoint() == whole.follower().checkpoint());
 }
 
 TEST(ContinueDetailOther, AColourMoreLeavesTheOthersAsTheyWere) {
@@ -108,13 +108,14 @@ TEST(ContinueDetailOther, AColourMoreLeavesTheOthersAsTheyWere) {
         fine->read(pigment_plane(layer, c), 0, y, now);
         ASSERT_EQ(now, old);
       }
-  const DetailNotes notes = change_channels(*dump.notes, dump, basis);
+  const DetailCheckpoint checkpoint = change_channels(*dump.checkpoint, dump, basis);
   const DetailLayout layout(dump.state.geometry, 2);
-  ASSERT_EQ(notes.tile.size(), static_cast<std::size_t>(layout.tiles() * (kNotedPigment + 2 * 4)));
-  EXPECT_EQ(notes.tile[kNotedMade], 1u);
-  EXPECT_EQ(notes.tile[kNotedPigment + 2], dump.notes->tile[kNotedPigment + 2]);
-  EXPECT_EQ(notes.tile[kNotedPigment + 3], 0u);
-  EXPECT_EQ(notes.tile[kNotedPigment + 4], dump.notes->tile[kNotedPigment + 3]);
+  ASSERT_EQ(checkpoint.tile.size(),
+            static_cast<std::size_t>(layout.tiles() * (kCheckpointPigment + 2 * 4)));
+  EXPECT_EQ(checkpoint.tile[kCheckpointMade], 1u);
+  EXPECT_EQ(checkpoint.tile[kCheckpointPigment + 2], dump.checkpoint->tile[kCheckpointPigment + 2]);
+  EXPECT_EQ(checkpoint.tile[kCheckpointPigment + 3], 0u);
+  EXPECT_EQ(checkpoint.tile[kCheckpointPigment + 4], dump.checkpoint->tile[kCheckpointPigment + 3]);
 }
 
 }  // namespace

@@ -6,11 +6,11 @@
 #include <memory>
 #include <string>
 
-#include "core/fluid/conservative/tiles.h"
-#include "core/simulation.h"
+#include "core/fluid/conservative/tiles/sleep_tiles.h"
+#include "core/simulation/simulation.h"
 #include "formats/hdf5/state_dump.h"
-#include "replay/copies.h"
-#include "replay/lighting_track.h"
+#include "replay/play/copies.h"
+#include "replay/play/lighting_track.h"
 #include "tests/formats/scratch.h"
 
 namespace pentimento {

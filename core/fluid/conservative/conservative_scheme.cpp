@@ -4,15 +4,15 @@
 #include <bit>
 #include <cstdint>
 
-#include "core/fluid/conservative/claim_cells.h"
+#include "core/base/kernel.h"
+#include "core/fluid/conservative/advection/advection.h"
+#include "core/fluid/conservative/advection/face_row.h"
 #include "core/fluid/conservative/contact_line.h"
-#include "core/fluid/conservative/face_row.h"
-#include "core/fluid/conservative/force_row.h"
-#include "core/fluid/conservative/height_row.h"
-#include "core/fluid/conservative/kernel.h"
-#include "core/fluid/conservative/settle_quanta.h"
-#include "core/fluid/conservative/transport.h"
-#include "core/fluid/conservative/viscous_row.h"
+#include "core/fluid/conservative/solve/force_row.h"
+#include "core/fluid/conservative/solve/height_row.h"
+#include "core/fluid/conservative/solve/viscous_row.h"
+#include "core/fluid/conservative/tiles/assign_strokes.h"
+#include "core/fluid/conservative/tiles/round_to_quanta.h"
 #include "core/fluid/rheology.h"
 
 namespace pentimento::conservative {
@@ -24,11 +24,12 @@ float cap_of(const Model& model) {
   return model.speed_cap_m_s > 0 ? model.speed_cap_m_s : 1e9f;  // 0 = off
 }
 
-// Into how many parts a step is cut so that no paint comes further than it should in one.
-int parts_of_step(const Model& model, float reach_cells) {
+// Into how many parts a step is cut, so that no paint comes further than most_cells_moved in one
+// part.
+int parts_of_step(const Model& model, float travel_cells) {
   int parts = 1;
   while (parts < model.most_parts_of_step &&
-         reach_cells > model.most_cells_moved * static_cast<float>(parts))
+         travel_cells > model.most_cells_moved * static_cast<float>(parts))
     ++parts;
   return parts;
 }
@@ -37,8 +38,9 @@ float positive(float x) {
   return x > 0 ? x : 0.0f;
 }
 
-// The largest |value| of a row, or `highest`. Positive floats are ordered as their bits are, and a
-// maximum of integers may be taken in any order: many at a time.
+// The largest |value| of a row, or `highest` if that is larger. Positive floats have the order of
+// their bits, and a maximum of integers may be taken in any order, so the compiler takes many at a
+// time.
 PENTIMENTO_KERNEL
 float highest_row(const float* value, int n, float highest) {
   std::int32_t most = std::bit_cast<std::int32_t>(highest);
@@ -54,9 +56,10 @@ FaceRow faces_at(NodePlanes& n, int x, int y) {
           n.friction_frac.row(y) + x};
 }
 
-// Calls body(y, x, n) for the inner x faces of each run, or the open y faces.
+// Calls body(x, n) for the faces of run `r` that paint may cross: the right faces between its
+// cells, or the lower faces above awake cells.
 template <typename Body>
-void for_open_faces(const Tiles& tiles, Axis axis, const Run& r, const Body& body) {
+void for_open_faces(const SleepTiles& tiles, Axis axis, const Run& r, const Body& body) {
   if (axis == Axis::kX) {
     if (r.size() > 1) body(r.x0, r.size() - 1);
   } else {
@@ -70,72 +73,95 @@ ConservativeScheme::ConservativeScheme(const CanvasGeometry& geometry)
     : geometry_(geometry), work_(geometry) {}
 
 bool ConservativeScheme::step(CanvasState& state, const StepInput& in) {
-  if (!tiles_) tiles_ = std::make_unique<Tiles>(geometry_, in.model.sleep_tile_m);
+  if (!tiles_) tiles_ = std::make_unique<SleepTiles>(geometry_, in.model.sleep_tile_m);
   steps_ += 1;
+  // 1. Wake tiles: finds the tiles that this step computes. The workspace of a tile that is asleep
+  // holds zeros.
   for (const int tile : tiles_->wake(state, in)) work_.clear(tiles_->box(tile));
   if (tiles_->awake_tiles().empty()) return false;
   work_.solver.set_runs(tiles_->runs());
   passed("wake");
 
-  settle_quanta(state, in);
-  passed("settle");
-  const int parts = parts_of_step(in.model, tiles_->reach_cells());
+  // 2. Round to quanta: rounds what the brush left, so that all sums of this step are exact.
+  round_to_quanta(state, in);
+  passed("round");
+  // 3. to 7. once for each part: no front crosses more cells than its face depths are good for.
+  const int parts = parts_of_step(in.model, tiles_->travel_cells());
   for (int part = 0; part < parts; ++part) {
-    const BrushContact& contact = part == 0 ? in.contact : untouched_;  // the push, once
+    const BrushContact& contact = part == 0 ? in.contact : untouched_;  // the push acts once
     const float dt_s = in.dt_s / static_cast<float>(parts);
     part_of_step(state,
-                 {in.model, in.gravity_m_s2, dt_s, contact, in.amount, in.threads, in.follower},
+                 {in.model, in.gravity_m_s2, dt_s, contact, in.amount, in.threads, in.listener},
                  part);
   }
+  // 8. Tiles fall asleep: finds the tiles that came to rest.
   tiles_->fall_asleep(state, in, [&](const CellBox& b) { return feels_gravity(b); });
   passed("sleep");
+  // 9. Account: maxima for the reports. It changes nothing of the state.
   account(state, in);
   passed("account");
   return true;
 }
 
 void ConservativeScheme::part_of_step(CanvasState& state, const StepInput& in, int part) {
+  // 3. Advection: carries paint and momentum with the velocity that the state holds. The axes take
+  // turns in being the first, so that neither is favoured.
   transport(state, in, (state.step + part) % 2 == 0);
+  // 4. Rheology and faces: finds how the paint that arrived resists motion, ...
   for_runs(in.threads, tiles_->runs(), [&](const Run& r) { find_rheology(state, in, r); });
   passed("rheology");
+  // ... brings that to the faces, where the velocities live, ...
   for_runs(in.threads, tiles_->runs(), [&](const Run& r) { find_faces(state, in, r); });
   passed("faces");
-  hold_edges(state, in);
+  // ... and holds the films that are too shallow to advance over bare canvas.
+  pin_edges(state, in);
   passed("edges");
+  // 5. Viscosity: evens out the velocity inside each film.
   apply_viscosity(state, in);
   passed("viscosity");
+  // 6. Gravity and bed friction, 7. Height: accelerates the paint, then finds the height that the
+  // velocities lead to, and the velocities that this height leaves.
   solve_height(state, in);
   passed("height");
 }
 
 void ConservativeScheme::transport(CanvasState& state, const StepInput& in, bool even) {
+  // Each axis is one sweep. The second sweep takes what the first one left.
   const Axis first = even ? Axis::kX : Axis::kY;
   const Axis second = even ? Axis::kY : Axis::kX;
+  // 3a. Masses: how much paint lies around each face before anything moves.
   fill_node_masses(state, *tiles_, in.threads, work_);
   passed("masses");
   for (const Axis axis : {first, second}) {
-    move_momentum(state, in, axis, axis == first ? Turn::kFirst : Turn::kSecond, *tiles_, work_);
+    // 3b. Momentum: mass and velocity around each face. The velocities of the state stay, for the
+    // paint needs them.
+    advect_momentum(state, in, axis, axis == first ? Turn::kFirst : Turn::kSecond, *tiles_, work_);
     passed(axis == Axis::kX ? "momentum_x" : "momentum_y");
   }
   for (const Axis axis : {first, second}) {
-    move_paint(state, in, axis, *tiles_);
+    // 3c. Paint: depth and every channel of every layer, over the same edges.
+    advect_paint(state, in, axis, *tiles_);
     passed(axis == Axis::kX ? "paint_x" : "paint_y");
   }
-  claim_cells(state, tiles_->runs(), in.threads);
-  if (in.follower == nullptr) return;
-  in.follower->edges().x_first = even;
-  in.follower->moved(state, in, tiles_->runs());
+  // 3d. Stroke ids: paint that ran onto bare canvas belongs to the stroke that it came from.
+  assign_strokes(state, tiles_->runs(), in.threads);
+  // The listener repeats this motion on its own canvas.
+  if (in.listener == nullptr) return;
+  in.listener->edges().x_first = even;
+  in.listener->moved(state, in, tiles_->runs());
 }
 
 void ConservativeScheme::find_rheology(const CanvasState& state, const StepInput& in,
                                        const Run& r) {
+  // 4a. Height, stiffness and viscosity of each cell (R3, R12, R13).
   const Rheology rheology = make_rheology(in.model);
   const auto n = static_cast<std::size_t>(r.size());
   const float* depth = state.depth_m.row(r.y) + r.x0;
   const float* base = state.base_m.row(r.y) + r.x0;
   float* height = work_.height_m.row(r.y) + r.x0;
   for (std::size_t i = 0; i < n; ++i) height[i] = base[i] + depth[i];
-  // The amounts are only needed on the way: they lie where the crowding will.
+  // The total amounts are needed only here: they use the memory of the crowding, which is not known
+  // yet.
   const std::span<float> amount{work_.crowding_m_s2.row(r.y) + r.x0, n};
   total_amount_row(state, in.amount, r.y, r.x0, r.x1, amount);
   rheology_row(rheology, 0.0f, {depth, n}, amount, {work_.mobility_frac.row(r.y) + r.x0, n},
@@ -143,6 +169,8 @@ void ConservativeScheme::find_rheology(const CanvasState& state, const StepInput
 }
 
 void ConservativeScheme::find_faces(const CanvasState& state, const StepInput& in, const Run& r) {
+  // 4b. Depth, mobility, viscosity and friction of each face. A face at the canvas's edge or beside
+  // a sleeping tile is closed.
   const FaceParameters p{in.model.dry_film_m(), in.model.friction_viscosity_floor_m2_s,
                          3 * in.dt_s * in.model.bed_friction};
   const auto cells = [&](int x, int y) {
@@ -160,16 +188,17 @@ void ConservativeScheme::find_faces(const CanvasState& state, const StepInput& i
   });
 }
 
-void ConservativeScheme::hold_edges(const CanvasState& state, const StepInput& in) {
+void ConservativeScheme::pin_edges(const CanvasState& state, const StepInput& in) {
+  // 4c. Contact lines: surface tension holds the faces between a film and bare canvas.
   if (!(in.model.front_depth_m > 0)) return;
   const ContactLine line(in.model.front_depth_m, in.model.front_reach_m, state.geometry.dx_m(),
                          state.geometry.dy_m());
   for_runs(in.threads, tiles_->runs(), [&](const Run& r) {
     for_open_faces(*tiles_, Axis::kX, r, [&](int x, int n) {
-      line.hold_row(state.depth_m, Axis::kX, x, r.y, n, work_.x.friction_frac.row(r.y) + x);
+      line.pin_row(state.depth_m, Axis::kX, x, r.y, n, work_.x.friction_frac.row(r.y) + x);
     });
     for_open_faces(*tiles_, Axis::kY, r, [&](int x, int n) {
-      line.hold_row(state.depth_m, Axis::kY, x, r.y, n, work_.y.friction_frac.row(r.y) + x);
+      line.pin_row(state.depth_m, Axis::kY, x, r.y, n, work_.y.friction_frac.row(r.y) + x);
     });
   });
 }
@@ -178,8 +207,10 @@ void ConservativeScheme::apply_viscosity(const CanvasState& state, const StepInp
   Multigrid& solver = work_.solver;
   const float per_dx2 = in.dt_s / (state.geometry.dx_m() * state.geometry.dx_m());
   const float per_dy2 = in.dt_s / (state.geometry.dy_m() * state.geometry.dy_m());
+  // The stiffest coupling that can occur decides how many grids the solve needs.
   const float nu = std::max(in.model.nu_max_m2_s, in.model.friction_viscosity_floor_m2_s);
   const int levels = solver.levels_for(nu * std::max(per_dx2, per_dy2));
+  // 5. One implicit solve for each component of the velocity: (1 - dt div nu grad) u = u~.
   for (NodePlanes* nodes : {&work_.x, &work_.y}) {
     const WorkPlane& depth = nodes->depth_m;
     const WorkPlane& viscosity = nodes->viscosity_m2_s;
@@ -200,6 +231,7 @@ void ConservativeScheme::apply_viscosity(const CanvasState& state, const StepInp
 }
 
 void ConservativeScheme::apply_forces(const StepInput& in, const Run& r) {
+  // 6. Gravity and bed friction: u* = friction (u - dt mobility g), on the faces of one run.
   const auto apply = [&](NodePlanes& n, float speed) {
     const LateralGravity g{speed, in.model.dry_film_m(), in.model.phi_scales_lateral};
     force_row(g, n.depth_m.row(r.y) + r.x0, n.mobility_frac.row(r.y) + r.x0,
@@ -209,7 +241,8 @@ void ConservativeScheme::apply_forces(const StepInput& in, const Run& r) {
   apply(work_.y, in.dt_s * in.gravity_m_s2.y);
 }
 
-// The right side of the height equation, and the crowding that follows from it.
+// 7a. The right side of the height equation, and the crowding: paint that would come deeper than
+// max_medium pushes back.
 void ConservativeScheme::fill_height(const CanvasState& state, const StepInput& in, const Run& r) {
   Multigrid& solver = work_.solver;
   const float full = in.model.max_medium_m;
@@ -228,6 +261,7 @@ void ConservativeScheme::fill_height(const CanvasState& state, const StepInput& 
 
 void ConservativeScheme::fill_pressure(const CanvasState& state, const StepInput& in,
                                        const Run& r) {
+  // 7b. The couplings of the height equation: the speed that a face gains per unit slope.
   const float gravity = positive(in.gravity_m_s2.z);
   const auto pressure = [&](NodePlanes& n, int down, float cell_m, WorkPlane& c) {
     const float* crowded = work_.crowding_m_s2.row(r.y) + r.x0;
@@ -242,6 +276,7 @@ void ConservativeScheme::fill_pressure(const CanvasState& state, const StepInput
 }
 
 void ConservativeScheme::finish(CanvasState& state, const StepInput& in, const Run& r) {
+  // 7d. The solved height drives the velocity; then the cap and the threshold act (R14).
   const FinishLimits limits{in.model.velocity_threshold_m_s, cap_of(in.model)};
   const WorkPlane& height = work_.solver.solution();
   const auto one = [&](const NodePlanes& n, int down, float per_d, Field<float>& out) {
@@ -254,11 +289,12 @@ void ConservativeScheme::finish(CanvasState& state, const StepInput& in, const R
   one(work_.y, 1, 1 / state.geometry.dy_m(), state.velocity_y_m_s);
 }
 
-// Forces, height and the velocities that follow from it: row by row, as part of the solve.
+// 6. and 7. The solver calls the parts of both on each row while that row is in the cache.
 void ConservativeScheme::solve_height(CanvasState& state, const StepInput& in) {
   const float nearest = std::min(state.geometry.dx_m(), state.geometry.dy_m());
   const float strongest = (positive(in.gravity_m_s2.z) + in.model.crowding_m_s2) * in.dt_s *
                           in.dt_s * in.model.max_medium_m / (nearest * nearest);
+  // 7c. The solve: h' - dt div(d K grad h') = h - dt div(d u*), K the pressure of 7b.
   work_.solver.solve(in.model.height_cycles, work_.solver.levels_for(strongest), in.threads,
                      {.guess = &work_.height_m,
                       .unit_zero_order = true,

@@ -1,21 +1,22 @@
 #pragma once
-// The fluid that loses no paint: staggered velocities, forward remap of paint and momentum,
-// implicit viscosity and pressure by multigrid, bed friction, sleeping tiles. What it departs from
-// in the paper, and why, is in docs/numerics.md.
+// The fluid scheme that loses no paint. Its velocities are staggered, paint and momentum move by
+// forward remap, viscosity and pressure are solved implicitly by multigrid, the bed rubs, and tiles
+// sleep. docs/numerics.md has the stages of a step, by the numbers that the comments here use, and
+// says where the scheme departs from the paper and why.
 //
-// A step is cut into equal parts where paint would come further than Model::most_cells_moved in
-// one: the face depths of the pressure are those at the start of a part, and a front that moves
-// through several cells meanwhile breaks up into drops (docs/numerics.md).
+// A step is cut into equal parts if paint would come further than Model::most_cells_moved cells in
+// one. The reason: the pressure uses the face depths at the start of a part, and a front that
+// crosses several cells meanwhile breaks up into drops.
 //
 // velocity_x_m_s(i, j) lives on the right face of cell (i, j), velocity_y_m_s(i, j) on its lower
-// face; the last column and row are walls and hold 0.
+// face. The last column and the last row are walls: their velocity is 0.
 
 #include <functional>
 #include <memory>
 #include <utility>
 
-#include "core/fluid/conservative/tiles.h"
-#include "core/fluid/conservative/workspace.h"
+#include "core/fluid/conservative/solve/workspace.h"
+#include "core/fluid/conservative/tiles/sleep_tiles.h"
 #include "core/fluid/scheme.h"
 
 namespace pentimento::conservative {
@@ -28,7 +29,7 @@ class ConservativeScheme : public FluidScheme {
   std::vector<std::pair<std::string, double>> statistics() const override;
   /// Share of the tiles that were awake in the last step.
   double awake_share() const { return tiles_ ? tiles_->awake_share() : 0; }
-  /// Called after each pass of a step with its name; for measuring.
+  /// `done` is called after each pass of a step with the pass's name. For measuring.
   void on_pass(std::function<void(const char* pass)> done) { passed_ = std::move(done); }
 
  private:
@@ -39,10 +40,10 @@ class ConservativeScheme : public FluidScheme {
   void transport(CanvasState& state, const StepInput& in, bool even);
   void apply_viscosity(const CanvasState& state, const StepInput& in);
   void solve_height(CanvasState& state, const StepInput& in);
-  // On the run of a row:
+  // These work on one run:
   void find_rheology(const CanvasState& state, const StepInput& in, const Run& r);
   void find_faces(const CanvasState& state, const StepInput& in, const Run& r);
-  void hold_edges(const CanvasState& state, const StepInput& in);
+  void pin_edges(const CanvasState& state, const StepInput& in);
   void apply_forces(const StepInput& in, const Run& r);
   void fill_height(const CanvasState& state, const StepInput& in, const Run& r);
   void fill_pressure(const CanvasState& state, const StepInput& in, const Run& r);
@@ -51,10 +52,10 @@ class ConservativeScheme : public FluidScheme {
   void account(const CanvasState& state, const StepInput& in);
 
   CanvasGeometry geometry_;
-  std::unique_ptr<Tiles> tiles_;  // made at the first step: their size is a parameter
+  std::unique_ptr<SleepTiles> tiles_;  // made at the first step: their size is a parameter
   Workspace work_;
   std::function<void(const char*)> passed_;
-  BrushContact untouched_;  // of no size: nothing is touched
+  BrushContact untouched_;  // of no size: the brush touches nothing in the later parts of a step
   double steps_ = 0;
   double awake_share_sum_ = 0;
   double awake_share_max_ = 0;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/fluid/conservative/kernel.h"
+#include "core/base/kernel.h"
 
 namespace pentimento::conservative {
 namespace {
@@ -25,13 +25,13 @@ ContactLine::ContactLine(float depth_m, float reach_m, float dx_m, float dy_m)
       taps_x_(taps_around(0.5f, 0, reach_m, dx_m, dy_m)),
       taps_y_(taps_around(0, 0.5f, reach_m, dx_m, dy_m)) {}
 
-ContactLine::Taps ContactLine::taps_around(float from_x, float from_y, float reach_m, float dx_m,
-                                           float dy_m) {
+ContactLine::ProfileTaps ContactLine::taps_around(float from_x, float from_y, float reach_m,
+                                                  float dx_m, float dy_m) {
   // Coarse cells may all lie beyond reach: the two at the face count whatever their distance.
   constexpr float kLeast = 1e-3f;
   const int cells_x = static_cast<int>(reach_m / dx_m) + 1;
   const int cells_y = static_cast<int>(reach_m / dy_m) + 1;
-  Taps taps;
+  ProfileTaps taps;
   for (int j = -cells_y; j <= cells_y; ++j) {
     TapRow row{j, 0, -1, {}};
     for (int i = -cells_x; i <= cells_x; ++i) {
@@ -52,8 +52,8 @@ ContactLine::Taps ContactLine::taps_around(float from_x, float from_y, float rea
   return taps;
 }
 
-// Sums in four lanes, which do not wait for one another.
-float ContactLine::mean_depth(const Field<float>& depth_m, const Taps& taps, int x, int y) {
+// Sums in four lanes, so that additions need not wait for one another.
+float ContactLine::mean_depth(const Field<float>& depth_m, const ProfileTaps& taps, int x, int y) {
   float lane[4] = {0, 0, 0, 0};
   float beyond = 0;  // weight of what lies outside the canvas
   for (const TapRow& row : taps.row) {
@@ -70,13 +70,13 @@ float ContactLine::mean_depth(const Field<float>& depth_m, const Taps& taps, int
   return ((lane[0] + lane[1]) + (lane[2] + lane[3])) / (taps.total - beyond);
 }
 
-void ContactLine::hold_row(const Field<float>& depth_m, Axis axis, int x, int y, int n,
-                           float* friction_frac) const {
+void ContactLine::pin_row(const Field<float>& depth_m, Axis axis, int x, int y, int n,
+                          float* friction_frac) const {
   const float bare = kBareFrac * depth_m_;
   const float* a = depth_m.row(y) + x;
   const float* b = axis == Axis::kX ? a + 1 : depth_m.row(y + 1) + x;
   if (!any_edge(a, b, n, bare)) return;
-  const Taps& taps = axis == Axis::kX ? taps_x_ : taps_y_;
+  const ProfileTaps& taps = axis == Axis::kX ? taps_x_ : taps_y_;
   for (int i = 0; i < n; ++i) {
     if ((a[i] > bare) == (b[i] > bare)) continue;
     const float ratio = depth_m_ / (2 * mean_depth(depth_m, taps, x + i, y));

@@ -1,49 +1,52 @@
 #pragma once
-// Surface tension at the edge of a film: what holds it back from bare canvas.
+// Contact lines: surface tension at the edge of a film holds the film back from bare canvas.
 
 #include <vector>
 
-#include "core/field.h"
-#include "core/fluid/conservative/transport.h"
+#include "core/base/field.h"
+#include "core/fluid/conservative/advection/advection.h"
 
 namespace pentimento::conservative {
 
-/// The hold of the contact line on faces between a film and bare canvas.
+/// Pins contact lines, on faces between a film and bare canvas.
 ///   friction *= max(0, 1 - (e / 2 D)^2);  D: mean depth within reach of the face, the nearer the
 ///   more (1 - r^2 / reach^2), bare cells counting as 0
-/// A film pushes its edge with rho g d^2 / 2 per length, and surface tension pulls it back with
-/// gamma (1 - cos theta) = rho g e^2 / 2, e the depth of a puddle that has come to rest: an edge
-/// stands until its paint is deeper than e. Along a straight edge 2 D = d; a tip, which tension
-/// holds more, has less paint around it, and a notch more. So the deepest places break out, drain
-/// their neighbours, and become drips about as wide as the reach.
+/// A film of depth d pushes its edge with rho g d^2 / 2 per length. Surface tension pulls the edge
+/// back with gamma (1 - cos theta) = rho g e^2 / 2, where e is the depth of a puddle that has come
+/// to rest. So an edge stands until its paint is deeper than e. Along a straight edge 2 D = d. A
+/// protruding tip has less paint around it and is held more; a notch has more paint and is held
+/// less. So the deepest places break out, drain their neighbours, and become drips about as wide as
+/// the reach.
 /// Scheme: pointwise; a factor on the bed friction, which forces, pressure and momentum share.
 /// Stable: a factor in [0, 1] on an implicit friction.
 /// Source: de Gennes, Brochard-Wyart, Quere, Capillarity and Wetting Phenomena, 2004, ch. 2.
 /// Departs from it: the edge's curvature enters through D alone, and a receding edge is held too.
 class ContactLine {
  public:
-  /// `depth_m`: e, > 0. `reach_m`: > 0. Cells of dx by dy.
+  /// `depth_m`: e, > 0. `reach_m`: the reach, > 0. `dx_m`, `dy_m`: sides of a cell.
   ContactLine(float depth_m, float reach_m, float dx_m, float dy_m);
 
-  /// On the faces between the cells [x, x + n) of row y and their right or lower neighbours.
-  void hold_row(const Field<float>& depth_m, Axis axis, int x, int y, int n,
-                float* friction_frac) const;
+  /// Multiplies `friction_frac` of the faces between the cells [x, x + n) of row y and their right
+  /// (kX) or lower (kY) neighbours.
+  void pin_row(const Field<float>& depth_m, Axis axis, int x, int y, int n,
+               float* friction_frac) const;
 
  private:
-  /// One row of the neighbourhood of a face: cells [x0, x1] from the one on its upper or left side.
+  /// One row of the neighbourhood of a face: cells [x0, x1], counted from the cell on the upper or
+  /// left side of the face.
   struct TapRow {
     int y, x0, x1;
     std::vector<float> weight;
   };
-  struct Taps {
+  struct ProfileTaps {
     std::vector<TapRow> row;
     float total = 0;
   };
-  static Taps taps_around(float from_x, float from_y, float reach_m, float dx_m, float dy_m);
-  static float mean_depth(const Field<float>& depth_m, const Taps& taps, int x, int y);
+  static ProfileTaps taps_around(float from_x, float from_y, float reach_m, float dx_m, float dy_m);
+  static float mean_depth(const Field<float>& depth_m, const ProfileTaps& taps, int x, int y);
 
   float depth_m_;
-  Taps taps_x_, taps_y_;
+  ProfileTaps taps_x_, taps_y_;
 };
 
 }  // namespace pentimento::conservative

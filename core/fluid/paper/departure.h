@@ -1,10 +1,11 @@
 #pragma once
-// Where the paint that is now in a cell came from, and what was there.
+// Departure points: where the paint that is now in a cell came from, and what the planes held
+// there.
 
 #include <algorithm>
 #include <cstddef>
 
-#include "core/field.h"
+#include "core/base/field.h"
 
 namespace pentimento::paper {
 
@@ -51,14 +52,14 @@ inline float mix(float a, float b, float t) {
   return a + t * (b - a);
 }
 
-/// Bilinear; a constant plane gives its constant exactly, a non-negative one nothing negative.
-/// `plane` points to the first cell of a plane.
+/// The value of a plane at the point, bilinear. A constant plane gives its constant exactly; a
+/// plane without negative values gives none. `plane` points to the first cell of the plane.
 inline float interpolate(const float* plane, const Departure& p) {
   return mix(mix(plane[p.top_left], plane[p.top_right], p.fx),
              mix(plane[p.bottom_left], plane[p.bottom_right], p.fx), p.fy);
 }
 
-/// The same of the product of two planes.
+/// The same for the product of two planes.
 inline float interpolate_product(const float* f, const float* g, const Departure& p) {
   return mix(mix(f[p.top_left] * g[p.top_left], f[p.top_right] * g[p.top_right], p.fx),
              mix(f[p.bottom_left] * g[p.bottom_left], f[p.bottom_right] * g[p.bottom_right], p.fx),

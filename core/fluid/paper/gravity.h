@@ -1,11 +1,13 @@
 #pragma once
-#include "core/canvas_state.h"
+// Gravity: what slope and tilt add to the velocity (R11, R15).
+
+#include "core/canvas/canvas_state.h"
 #include "core/fluid/paper/planes.h"
 #include "core/fluid/paper/step_constants.h"
 
 namespace pentimento::paper {
 
-/// What the slope of the new height and the tilt of the tablet add to the velocity, row y.
+/// Adds to the velocity of row y what the slope of the new height and the tilt of the tablet give.
 ///   u* = u~ - dt (1 - Phi) (gz h+_x + gx), likewise v; with A7 (b): u~ - dt ((1 - Phi) gz h+_x +
 ///   gx)
 /// Scheme: central differences, 2nd order in space, 1st order in time. Stable with the implicit h+.

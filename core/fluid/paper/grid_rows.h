@@ -1,11 +1,11 @@
 #pragma once
-// How the kernels of this folder see the grid: a row with its two neighbours, and a range of
-// columns. At the canvas edge the neighbour outside is the edge cell itself: no gradient there
-// (R16), and since the normal velocity of edge cells is 0, no flux either.
+// How the kernels of this folder read the grid: a row with its two neighbour rows, and a range of
+// columns. At the canvas's edge the edge cell itself takes the place of the missing neighbour. So
+// there is no gradient (R16), and no flux either, for the normal velocity of edge cells is 0.
 
 #include <algorithm>
 
-#include "core/field.h"
+#include "core/base/field.h"
 
 namespace pentimento::paper {
 
@@ -23,7 +23,7 @@ inline Columns hull(Columns a, Columns b) {
   return {std::min(a.begin, b.begin), std::max(a.end, b.end)};
 }
 
-/// One cell more on either side, within the width.
+/// The range with one cell more on either side, within the width.
 inline Columns widened(Columns c, int width) {
   if (c.empty()) return c;
   return {std::max(c.begin - 1, 0), std::min(c.end + 1, width)};

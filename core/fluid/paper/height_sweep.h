@@ -1,4 +1,6 @@
 #pragma once
+// Solves the height system by Jacobi sweeps (R9) and keeps the height within its limits.
+
 #include "core/fluid/paper/planes.h"
 
 namespace pentimento::paper {

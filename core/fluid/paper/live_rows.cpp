@@ -9,9 +9,9 @@ namespace {
 
 constexpr int kBlock = 64;  // cells looked at together: four cache lines of each plane
 
-using Planes = std::array<const float*, 3>;
+using RowPlanes = std::array<const float*, 3>;
 
-bool any_nonzero(const Planes& rows, int begin, int end) {
+bool any_nonzero(const RowPlanes& rows, int begin, int end) {
   std::uint32_t bits = 0;
   for (int x = begin; x < end; ++x)
     bits |= std::bit_cast<std::uint32_t>(rows[0][x]) | std::bit_cast<std::uint32_t>(rows[1][x]) |
@@ -20,7 +20,7 @@ bool any_nonzero(const Planes& rows, int begin, int end) {
 }
 
 /// The blocks between the first and the last that hold anything.
-Columns nonzero_blocks(const Planes& rows, int width) {
+Columns nonzero_blocks(const RowPlanes& rows, int width) {
   int begin = 0;
   while (begin < width && !any_nonzero(rows, begin, std::min(begin + kBlock, width)))
     begin += kBlock;
@@ -31,7 +31,7 @@ Columns nonzero_blocks(const Planes& rows, int width) {
 }
 
 /// The cells between the first and the last that hold anything.
-Columns nonzero_cells(const Planes& rows, int width) {
+Columns nonzero_cells(const RowPlanes& rows, int width) {
   Columns c = nonzero_blocks(rows, width);
   while (!c.empty() && !any_nonzero(rows, c.begin, c.begin + 1)) ++c.begin;
   while (!c.empty() && !any_nonzero(rows, c.end - 1, c.end)) --c.end;

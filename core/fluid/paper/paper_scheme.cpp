@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "core/fluid/paper/depth.h"
-#include "core/fluid/paper/front.h"
 #include "core/fluid/paper/gravity.h"
 #include "core/fluid/paper/height_sweep.h"
 #include "core/fluid/paper/height_system.h"
@@ -11,6 +10,7 @@
 #include "core/fluid/paper/trace.h"
 #include "core/fluid/paper/velocity_limits.h"
 #include "core/fluid/paper/viscosity.h"
+#include "core/fluid/paper/wet_front.h"
 #include "core/fluid/rheology.h"
 
 namespace pentimento::paper {
@@ -31,8 +31,8 @@ void clear_around(Columns kept, Columns box, float* row) {
   if (!kept.empty() && kept.end < box.end) std::fill(row + kept.end, row + box.end, 0.0f);
 }
 
-/// Mobility and viscosity of row y; stamped cells get no viscosity, so that the sweeps leave the
-/// brush's velocity there.
+/// Mobility and viscosity of row y (R3, R12, R13). Stamped cells get no viscosity, so that the
+/// sweeps leave the brush's velocity there (R17).
 void rheology_of_row(const CanvasState& state, const StepInput& in, const Rheology& rheology, int y,
                      Columns cells, Planes& planes) {
   const std::size_t n = cells.count();
@@ -64,32 +64,43 @@ void PaperScheme::for_live_rows(const StepInput& in, Body body) const {
 }
 
 template <typename Body>
-void PaperScheme::for_reach_rows(const StepInput& in, Body body) const {
-  in.threads.for_ranges(reach_rows_.begin, reach_rows_.end, kRowsPerTask, [&](int begin, int end) {
-    for (int y = begin; y < end; ++y) body(y);
-  });
+void PaperScheme::for_travel_rows(const StepInput& in, Body body) const {
+  in.threads.for_ranges(travel_rows_.begin, travel_rows_.end, kRowsPerTask,
+                        [&](int begin, int end) {
+                          for (int y = begin; y < end; ++y) body(y);
+                        });
 }
 
 bool PaperScheme::step(CanvasState& state, const StepInput& in) {
+  // Only cells with paint, velocity or brush, and their neighbours, are computed.
   constants_ = make_step_constants(state.geometry, in);
   rows_.find(state, in.contact, in.threads);
   ++steps_;
   if (rows_.empty()) return false;
 
+  // R17, R16, R3, R12, R13: the brush's velocity under the tip, stiffness and viscosity of the
+  // paint.
   prepare(state, in);
+  // R8: velocity and height are carried along, by tracing each cell back.
   trace(state, in);
+  // R6, R7, R9: the implicit height.
   const Field<float>& height_m = solve_height(state, in);
+  // R10, R11, R14, R15: the velocity that this height, gravity and viscosity give.
   const std::size_t velocity = solve_velocity(state, in, height_m);
-  find_reach(state);
+  // The new height becomes depth; the new velocity carries the pigment (R18, R19).
+  find_travel(state);
   for_live_rows(in, [&](int y, Columns cells) {
     row_changed_[at(y)] |= update_depth_row(planes_, height_m, y, cells, state) ? 1 : 0;
   });
-  move_pigment(state, in, velocity);
+  advect_pigment(state, in, velocity);
+  // The fronts of films advance over bare canvas, and the state gets its velocity (A9).
   store_velocity(state, in, velocity);
+  // Bookkeeping for the reports.
   max_speed_m_s_ = std::max(max_speed_m_s_, static_cast<double>(fastest_m_s()));
   live_frac_sum_ += static_cast<double>(rows_.cells()) /
                     (static_cast<double>(state.geometry.width) * state.geometry.height);
-  // A stamp set velocities before the step, so whether they differ from the last step's is unknown.
+  // A stamp sets velocities before the step, so nobody knows whether they differ from the last
+  // step's.
   return !in.contact.empty() ||
          std::find(row_changed_.begin(), row_changed_.end(), 1) != row_changed_.end();
 }
@@ -103,6 +114,8 @@ void PaperScheme::prepare(CanvasState& state, const StepInput& in) {
       const Columns cells = rows_.live(y);
       if (cells.empty()) continue;
       float *u = state.velocity_x_m_s.row(y), *v = state.velocity_y_m_s.row(y);
+      // R17: the brush's velocity is imposed before the advection; R16: no paint crosses the
+      // canvas's edge.
       if (!in.contact.empty()) {
         impose_brush_row(in.contact, y, cells, u, v);
         close_edge_row(y, state.geometry.width, state.geometry.height, cells, u, v);
@@ -124,6 +137,7 @@ const Field<float>& PaperScheme::solve_height(const CanvasState& state, const St
   for_live_rows(in, [&](int y, Columns cells) {
     build_height_system_row(constants_, state, y, cells, planes_);
   });
+  // R9: Jacobi sweeps from the old height; the last one keeps the height between base and full.
   const int sweeps = in.model.jacobi_iterations;
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     const Field<float>& from = planes_.height_m[at(sweep % 2)];
@@ -144,6 +158,7 @@ std::size_t PaperScheme::solve_velocity(const CanvasState& state, const StepInpu
     impose_brush_row(in.contact, y, cells, planes_.u_m_s[0].row(y), planes_.v_m_s[0].row(y));
     build_viscosity_row(constants_, y, cells, planes_);
   });
+  // R13, A9: the viscosity by as many sweeps; the right side stays in the first buffer.
   const Velocity right_side{planes_.u_m_s[0], planes_.v_m_s[0]};
   std::size_t latest = 0;
   for (int sweep = 0; sweep < in.model.jacobi_iterations; ++sweep) {
@@ -155,6 +170,7 @@ std::size_t PaperScheme::solve_velocity(const CanvasState& state, const StepInpu
     });
     latest = to;
   }
+  // R14, R17, R16: limits, brush and edge once more, on the result.
   for_live_rows(in, [&](int y, Columns) { finish_row(state, in, latest, y); });
   return latest;
 }
@@ -163,10 +179,13 @@ void PaperScheme::finish_row(const CanvasState& state, const StepInput& in, std:
                              int y) {
   const Columns cells = rows_.live(y);
   float *u = planes_.u_m_s[velocity].row(y), *v = planes_.v_m_s[velocity].row(y);
+  // R14: slow paint stands, fast paint is capped. Then brush (R17) and edge (R16) have the last
+  // word.
   limit_speed_row(constants_, cells, u, v);
   impose_brush_row(in.contact, y, cells, u, v);
   close_edge_row(y, state.geometry.width, state.geometry.height, cells, u, v);
   mark_moved_row(state, y, cells, u, v, planes_.moved.row(y));
+  // Where the row moves at all, and how fast: the pigment visits these cells only.
   Columns flow = cells;
   while (!flow.empty() && u[flow.begin] == 0.0f && v[flow.begin] == 0.0f) ++flow.begin;
   while (!flow.empty() && u[flow.end - 1] == 0.0f && v[flow.end - 1] == 0.0f) --flow.end;
@@ -176,16 +195,19 @@ void PaperScheme::finish_row(const CanvasState& state, const StepInput& in, std:
   row_speed2_[at(y)] = speed2;
 }
 
-void PaperScheme::move_pigment(CanvasState& state, const StepInput& in, std::size_t velocity) {
-  if (reach_cells_ == 0) return;
-  for_reach_rows(in, [&](int y) {
-    loosen_row(state, in.amount, constants_.residue, y, reach_columns_, planes_);
+void PaperScheme::advect_pigment(CanvasState& state, const StepInput& in, std::size_t velocity) {
+  // Nothing moves: the pigment stays.
+  if (travel_cells_ == 0) return;
+  for_travel_rows(in, [&](int y) {
+    // R19: what of the bottom layer sticks; R18: how many layers share the film.
+    find_free_row(state, in.amount, constants_.residue, y, travel_columns_, planes_);
     if (!rows_.live(y).empty()) count_layers_row(state, y, row_flow_[at(y)], planes_);
   });
   for (int layer = 0; layer < state.layers; ++layer) {
     for_live_rows(in, [&](int y, Columns) {
-      trace_pigment_row(constants_, state, layer, planes_.u_m_s[velocity].row(y),
-                        planes_.v_m_s[velocity].row(y), y, row_flow_[at(y)], planes_);
+      // R8, R18: one layer at a time, traced back with its own velocity.
+      advect_pigment_row(constants_, state, layer, planes_.u_m_s[velocity].row(y),
+                         planes_.v_m_s[velocity].row(y), y, row_flow_[at(y)], planes_);
     });
     for_live_rows(in, [&](int y, Columns) {
       row_changed_[at(y)] |= store_pigment_row(planes_, layer, y, row_flow_[at(y)], state) ? 1 : 0;
@@ -200,38 +222,42 @@ float PaperScheme::fastest_m_s() const {
   return std::sqrt(speed2);
 }
 
-void PaperScheme::find_reach(const CanvasState& state) {
+void PaperScheme::find_travel(const CanvasState& state) {
+  // How many cells the fastest paint comes, and the rectangle that it can have reached.
   const float cell_m = std::min(constants_.dx_m, constants_.dy_m);
   const float travel = fastest_m_s() * constants_.dt_s / cell_m;
-  reach_cells_ = travel == 0.0f ? 0 : 1 + static_cast<int>(std::min(travel, 1e6f));
+  travel_cells_ = travel == 0.0f ? 0 : 1 + static_cast<int>(std::min(travel, 1e6f));
   const Columns live = rows_.box();
-  reach_columns_ = {std::max(live.begin - reach_cells_, 0),
-                    std::min(live.end + reach_cells_, state.geometry.width)};
-  reach_rows_ = {std::max(rows_.row_begin() - reach_cells_, 0),
-                 std::min(rows_.row_end() + reach_cells_, state.geometry.height)};
+  travel_columns_ = {std::max(live.begin - travel_cells_, 0),
+                     std::min(live.end + travel_cells_, state.geometry.width)};
+  travel_rows_ = {std::max(rows_.row_begin() - travel_cells_, 0),
+                  std::min(rows_.row_end() + travel_cells_, state.geometry.height)};
 }
 
 void PaperScheme::store_velocity(CanvasState& state, const StepInput& in, std::size_t velocity) {
-  const Columns box = reach_columns_;
+  const Columns box = travel_columns_;
   Field<float>&u = planes_.u_m_s[velocity], &v = planes_.v_m_s[velocity];
-  Reach& reach = planes_.reach;
-  for_reach_rows(in, [&](int y) {
+  FrontInflow& inflow = planes_.inflow;
+  for_travel_rows(in, [&](int y) {
+    // Outside the live cells the buffers hold old numbers; inside the rectangle they must hold 0.
     clear_around(rows_.live(y), box, u.row(y));
     clear_around(rows_.live(y), box, v.row(y));
-    for (Field<float>* f : {&reach.u_m_s, &reach.v_m_s, &reach.count})
+    for (Field<float>* f : {&inflow.u_m_s, &inflow.v_m_s, &inflow.count})
       std::fill(f->row(y) + box.begin, f->row(y) + box.end, 0.0f);
-    if (reach_cells_ > 0 && !rows_.live(y).empty())
-      reach_along_row(constants_, state, in.contact, {u, v}, y, row_flow_[at(y)], reach);
+    if (travel_cells_ > 0 && !rows_.live(y).empty())
+      advance_front_along_row(constants_, state, in.contact, {u, v}, y, row_flow_[at(y)], inflow);
   });
-  if (reach_cells_ > 0)
+  // A9: thick films enter the thin cells before them, first along rows, then along columns.
+  if (travel_cells_ > 0)
     in.threads.for_ranges(box.begin, box.end, kColumnsPerTask, [&](int begin, int end) {
-      reach_along_columns(constants_, state, in.contact, {u, v}, {begin, end}, reach_rows_.begin,
-                          reach_rows_.end, reach);
+      advance_front_along_columns(constants_, state, in.contact, {u, v}, {begin, end},
+                                  travel_rows_.begin, travel_rows_.end, inflow);
     });
-  for_reach_rows(in, [&](int y) {
-    close_edge_row(y, state.geometry.width, state.geometry.height, box, reach.u_m_s.row(y),
-                   reach.v_m_s.row(y));
-    if (update_velocity_row(in.contact, {u, v}, reach, y, box, state)) row_changed_[at(y)] = 1;
+  for_travel_rows(in, [&](int y) {
+    // R16 for what came in, then the velocity that stays in the state.
+    close_edge_row(y, state.geometry.width, state.geometry.height, box, inflow.u_m_s.row(y),
+                   inflow.v_m_s.row(y));
+    if (update_velocity_row(in.contact, {u, v}, inflow, y, box, state)) row_changed_[at(y)] = 1;
   });
 }
 

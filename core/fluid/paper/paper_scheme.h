@@ -1,7 +1,8 @@
 #pragma once
-// The fluid of the publication (Stuyck, Da, Hadap, Dutre, Real-Time Oil Painting on Mobile
-// Hardware, 2016): R5-R19 on a collocated grid, in plain loops. It is the reproduction of the paper
-// and the yardstick for speed; docs/paper-scheme.md tells its clamps and what they lose.
+// The fluid scheme of the publication (Stuyck, Da, Hadap, Dutre, Real-Time Oil Painting on Mobile
+// Hardware, 2016): R5-R19 on a collocated grid, in plain loops. It reproduces the paper, and the
+// other scheme's speed is measured against it. docs/paper-scheme.md tells its clamps and what they
+// lose.
 
 #include "core/fluid/paper/planes.h"
 #include "core/fluid/paper/step_constants.h"
@@ -13,9 +14,10 @@ class PaperScheme : public FluidScheme {
  public:
   PaperScheme(const CanvasGeometry& geometry, int layers, int channels);
 
-  /// One step: brush velocity, rheology, trace, height, gravity, viscosity, limits, depth, pigment.
-  /// Cost follows the area between the first and the last painted cell of each row. The stroke ids
-  /// do not move with the paint: a cell keeps the id of the last stroke that touched it.
+  /// Does one step: brush velocity, rheology, trace, height, gravity, viscosity, limits, depth,
+  /// pigment. The cost is in proportion to the area between the first and the last painted cell of
+  /// each row. Stroke ids do not move with the paint: a cell keeps the id of the last stroke that
+  /// touched it.
   bool step(CanvasState& state, const StepInput& in) override;
 
   /// max_speed_m_s: the fastest cell so far; live_frac: mean share of the canvas computed per step.
@@ -25,16 +27,16 @@ class PaperScheme : public FluidScheme {
   void prepare(CanvasState& state, const StepInput& in);
   void trace(const CanvasState& state, const StepInput& in);
   const Field<float>& solve_height(const CanvasState& state, const StepInput& in);
-  /// Which of the velocity buffers holds the result.
+  /// Returns the index of the velocity buffer that holds the result.
   std::size_t solve_velocity(const CanvasState& state, const StepInput& in,
                              const Field<float>& height_m);
-  /// The rectangle that paint can have come from or got to in this step.
-  void find_reach(const CanvasState& state);
-  void move_pigment(CanvasState& state, const StepInput& in, std::size_t velocity);
+  /// Finds the rectangle that paint can have come from or got to in this step.
+  void find_travel(const CanvasState& state);
+  void advect_pigment(CanvasState& state, const StepInput& in, std::size_t velocity);
   template <typename Body>
   void for_live_rows(const StepInput& in, Body body) const;
   template <typename Body>
-  void for_reach_rows(const StepInput& in, Body body) const;
+  void for_travel_rows(const StepInput& in, Body body) const;
   void finish_row(const CanvasState& state, const StepInput& in, std::size_t velocity, int y);
   /// Lets fronts advance and stores the velocity.
   void store_velocity(CanvasState& state, const StepInput& in, std::size_t velocity);
@@ -45,9 +47,9 @@ class PaperScheme : public FluidScheme {
   LiveRows rows_;
   std::vector<std::uint8_t> row_changed_;
   std::vector<Columns> row_flow_;  // where the new velocity is not 0
-  std::vector<float> row_speed2_;  // its largest square
-  Columns reach_columns_, reach_rows_;
-  int reach_cells_ = 0;  // the fastest paint's travel, rounded up; 0 when all stands
+  std::vector<float> row_speed2_;  // the largest square of its speed, (m/s)^2
+  Columns travel_columns_, travel_rows_;
+  int travel_cells_ = 0;  // the fastest paint's travel, rounded up; 0 when all stands
   double max_speed_m_s_ = 0;
   double live_frac_sum_ = 0;
   std::int64_t steps_ = 0;

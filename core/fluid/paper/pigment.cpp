@@ -10,10 +10,10 @@ namespace pentimento::paper {
 namespace {
 
 constexpr int kChunk = 256;  // cells summed at a time, in the first-level cache
-using Chunk = std::array<float, kChunk>;
+using CellChunk = std::array<float, kChunk>;
 
 /// Adds share * plane to the sums of cells [begin, begin + count) of row y.
-void add_row(const Field<float>& plane, float share, int y, int begin, int count, Chunk& sums) {
+void add_row(const Field<float>& plane, float share, int y, int begin, int count, CellChunk& sums) {
   const float* p = plane.row(y) + begin;
   for (int i = 0; i < count; ++i) sums[static_cast<std::size_t>(i)] += share * p[i];
 }
@@ -22,7 +22,7 @@ float without_tail(float pigment) {
   return pigment < kNoPigment ? 0.0f : pigment;
 }
 
-/// Where the pigment of this layer in cell (x, y) was; u and v are the surface's.
+/// The departure point of this layer's pigment in cell (x, y). u and v: velocity of the surface.
 Departure depart_layer(const StepConstants& k, const GridShape& grid, float share, int x, int y,
                        float u, float v) {
   return depart(x, y, share * u * (k.dt_s / k.dx_m), share * v * (k.dt_s / k.dy_m), grid);
@@ -36,7 +36,7 @@ void count_layers_row(const CanvasState& state, int y, Columns cells, Planes& pl
     const int count = std::min(kChunk, cells.end - begin);
     std::fill_n(occupied + begin, count, std::uint8_t{0});
     for (int layer = 0; layer < state.layers; ++layer) {
-      Chunk sums{};
+      CellChunk sums{};
       for (int c = 0; c < state.channels; ++c)
         add_row(state.channel(layer, c), 1.0f, y, begin, count, sums);
       for (int i = 0; i < count; ++i)
@@ -45,12 +45,12 @@ void count_layers_row(const CanvasState& state, int y, Columns cells, Planes& pl
   }
 }
 
-void loosen_row(const CanvasState& state, const std::vector<float>& amount, float residue, int y,
-                Columns cells, Planes& planes) {
-  float* loose = planes.loose_frac.row(y);
+void find_free_row(const CanvasState& state, const std::vector<float>& amount, float residue, int y,
+                   Columns cells, Planes& planes) {
+  float* loose = planes.free_frac.row(y);
   for (int begin = cells.begin; begin < cells.end; begin += kChunk) {
     const int count = std::min(kChunk, cells.end - begin);
-    Chunk sums{};
+    CellChunk sums{};
     for (int c = 0; c < state.channels; ++c)
       add_row(state.channel(0, c), amount[static_cast<std::size_t>(c)], y, begin, count, sums);
     for (int i = 0; i < count; ++i) {
@@ -60,12 +60,12 @@ void loosen_row(const CanvasState& state, const std::vector<float>& amount, floa
   }
 }
 
-void trace_pigment_row(const StepConstants& k, const CanvasState& state, int layer,
-                       const float* u_m_s, const float* v_m_s, int y, Columns cells,
-                       Planes& planes) {
+void advect_pigment_row(const StepConstants& k, const CanvasState& state, int layer,
+                        const float* u_m_s, const float* v_m_s, int y, Columns cells,
+                        Planes& planes) {
   const GridShape grid = shape_of(state.depth_m);
   const std::uint8_t* occupied = planes.occupied.row(y);
-  const float* loose = planes.loose_frac.row(0);
+  const float* loose = planes.free_frac.row(0);
   const std::ptrdiff_t row = y * grid.stride;
   for (int c = 0; c < state.channels; ++c)
     std::copy_n(state.channel(layer, c).row(y) + cells.begin, cells.count(),

@@ -7,7 +7,7 @@ Planes make_planes(int width, int height, int channels) {
   for (Field<float>* f :
        {&p.height_m[0],   &p.height_m[1], &p.u_m_s[0],     &p.u_m_s[1],      &p.u_m_s[2],
         &p.v_m_s[0],      &p.v_m_s[1],    &p.v_m_s[2],     &p.mobility_frac, &p.viscosity_m2_s,
-        &p.wet,           &p.loose_frac,  &p.reach.u_m_s,  &p.reach.v_m_s,   &p.reach.count,
+        &p.wet,           &p.free_frac,   &p.inflow.u_m_s, &p.inflow.v_m_s,  &p.inflow.count,
         &p.system.centre, &p.system.left, &p.system.right, &p.system.up,     &p.system.down})
     *f = Field<float>(width, height);
   p.moved = Field<std::uint8_t>(width, height);

@@ -1,17 +1,17 @@
 #pragma once
-// The scratch planes of one step. Valid only inside the live rows of the step at hand.
+// The scratch planes of one step. They are valid only in the live cells of that step.
 
 #include <array>
 #include <cstdint>
 #include <vector>
 
-#include "core/canvas_state.h"
+#include "core/canvas/canvas_state.h"
 #include "core/fluid/paper/live_rows.h"
 
 namespace pentimento::paper {
 
-/// A five-point system divided by its diagonal: the weights of the neighbours, and `centre`, which
-/// is the right-hand side of the height and the inverse diagonal of the viscosity.
+/// A five-point system divided by its diagonal: the weights of the four neighbours, and `centre`.
+/// For the height, `centre` is the right side; for the viscosity it is the inverse diagonal.
 struct Stencil {
   Field<float> centre, left, right, up, down;
 };
@@ -22,8 +22,9 @@ struct Velocity {
   const Field<float>& v_m_s;
 };
 
-/// Sums over the films that reach a thin cell, and their number (front.h).
-struct Reach {
+/// Sums of the velocities of the films that reach a thin cell, and the number of these films
+/// (wet_front.h).
+struct FrontInflow {
   Field<float> u_m_s, v_m_s, count;
 };
 
@@ -36,14 +37,15 @@ struct Planes {
   Stencil system;  // of the height (`centre` first holds the traced height), then of the viscosity
   Field<std::uint8_t> moved;     // 1 where velocity was or is not 0
   Field<std::uint8_t> occupied;  // layers that hold pigment
-  Reach reach;
-  Field<float> loose_frac;            // part of the bottom layer that does not stick
+  FrontInflow inflow;
+  Field<float> free_frac;             // share of the bottom layer that does not stick
   std::vector<Field<float>> pigment;  // one layer's channels on their way
 };
 
 Planes make_planes(int width, int height, int channels);
 
-/// Fills what the kernels read, in row y: height and wetness over the margin, velocities 0 there.
+/// Fills row y of what the kernels read: height and wetness over `margin`, and velocities of 0
+/// there.
 void prepare_margin_row(const CanvasState& state, int y, Columns margin, Planes& planes);
 
 }  // namespace pentimento::paper

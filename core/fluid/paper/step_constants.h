@@ -1,12 +1,13 @@
 #pragma once
-// What stays the same over one step of the published scheme.
+// The constants of one step of the paper scheme.
 
 #include "core/fluid/scheme.h"
 
 namespace pentimento::paper {
 
-/// Thinner films are bare paper, smaller amounts no pigment. 1 nm is the size of a molecule; the
-/// tails of bilinear interpolation below it would only widen the area to compute.
+/// Films thinner than this count as bare paper, amounts smaller than this as no pigment. 1 nm is
+/// the size of a molecule. Without the limit, the tails of bilinear interpolation would only widen
+/// the area to compute.
 inline constexpr float kNoFilm_m = 1e-9f;
 inline constexpr float kNoPigment = 1e-9f;
 

@@ -1,4 +1,6 @@
 #pragma once
+// What limits the velocity: the brush (R17), the edge of the canvas (R16), thresholds (R14).
+
 #include <span>
 
 #include "core/fluid/brush_contact.h"
@@ -7,12 +9,13 @@
 
 namespace pentimento::paper {
 
-/// Where the brush touches row y, the velocity is the brush's: a Dirichlet condition, hard set
+/// Where the brush touches row y, sets the velocity to that of the brush: a Dirichlet condition
 /// wherever the footprint is not 0 (R17, A14). Does nothing in other rows.
 void impose_brush_row(const BrushContact& contact, int y, Columns cells, float* u_m_s,
                       float* v_m_s);
 
-/// No paint crosses the edge of the canvas: the normal velocity of its cells is 0 (R16, A12).
+/// Keeps paint from crossing the canvas's edge: sets the normal velocity of the edge cells to 0
+/// (R16, A12).
 void close_edge_row(int y, int width, int height, Columns cells, float* u_m_s, float* v_m_s);
 
 /// Surface tension and the speed cap, pointwise.

@@ -1,10 +1,12 @@
 #pragma once
+// The implicit viscosity (R11, R13).
+
 #include "core/fluid/paper/planes.h"
 #include "core/fluid/paper/step_constants.h"
 
 namespace pentimento::paper {
 
-/// The viscous term of row y, divided by its diagonal, into `planes.system`.
+/// Builds the viscous system of row y, divided by its diagonal, in `planes.system`.
 ///   u+ - dt nu(theta) (u+_xx + u+_yy) = u*, likewise v
 /// Scheme: implicit, 1st order in time, 2nd in space. Stable for any nu: the weights are positive
 /// and sum to less than 1. (Explicit it would need nu <= 1 / (2 dt (1/dx^2 + 1/dy^2)) = 1.37e-5
@@ -13,7 +15,7 @@ namespace pentimento::paper {
 /// (Neumann).
 void build_viscosity_row(const StepConstants& k, int y, Columns cells, Planes& planes);
 
-/// One Jacobi sweep of it over row y.
+/// One Jacobi sweep of that system over row y.
 ///   u' = centre u* + left u(x-1) + right u(x+1) + up u(y-1) + down u(y+1)
 /// Scheme: Jacobi, started at u*, as many sweeps as for the height (A9). Converges: see above.
 /// Source: A9. Departures: none. `right_side` is u*.

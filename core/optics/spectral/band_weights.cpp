@@ -64,17 +64,17 @@ void add_smooth(std::vector<Example>& examples) {
 using XyzWeights = Eigen::Matrix<double, 3, kSpectrumSamples>;
 
 /// What the examples reflect in the bands, and what they look like: a column each.
-struct Seen {
+struct SeenColor {
   Eigen::MatrixXd bands;
   Eigen::Matrix3Xd xyz;
 };
-Seen see(std::span<const double> wavelength_nm, const XyzWeights& exact) {
+SeenColor see(std::span<const double> wavelength_nm, const XyzWeights& exact) {
   std::vector<Example> examples;
   add_measured(examples);
   add_smooth(examples);
   const auto n = static_cast<Eigen::Index>(wavelength_nm.size());
   const auto count = static_cast<Eigen::Index>(examples.size());
-  Seen seen{Eigen::MatrixXd(n, count), Eigen::Matrix3Xd(3, count)};
+  SeenColor seen{Eigen::MatrixXd(n, count), Eigen::Matrix3Xd(3, count)};
   Eigen::Vector<double, kSpectrumSamples> all;
   for (Eigen::Index k = 0; k < count; ++k) {
     const Example& e = examples[static_cast<std::size_t>(k)];
@@ -94,7 +94,7 @@ Seen see(std::span<const double> wavelength_nm, const XyzWeights& exact) {
 }
 
 /// The weights of least square error, where example k counts share(k); exact for the white.
-Eigen::Matrix3Xd fitted(const Seen& seen, const Eigen::VectorXd& share,
+Eigen::Matrix3Xd fitted(const SeenColor& seen, const Eigen::VectorXd& share,
                         const Eigen::Vector3d& white) {
   const Eigen::MatrixXd weighed = seen.bands * share.asDiagonal();
   Eigen::MatrixXd squares = weighed * seen.bands.transpose();
@@ -108,7 +108,7 @@ Eigen::Matrix3Xd fitted(const Seen& seen, const Eigen::VectorXd& share,
   return weights;
 }
 
-Eigen::VectorXd differences(const Seen& seen, const Eigen::Matrix3Xd& weights,
+Eigen::VectorXd differences(const SeenColor& seen, const Eigen::Matrix3Xd& weights,
                             const Eigen::Vector3d& white) {
   const auto lab = [&](const Eigen::Vector3d& xyz) {
     return lab_of({xyz(0), xyz(1), xyz(2)}, {white(0), white(1), white(2)});
@@ -121,7 +121,7 @@ Eigen::VectorXd differences(const Seen& seen, const Eigen::Matrix3Xd& weights,
 }
 
 /// Fits again and again, counting more what differs most: towards the smallest largest difference.
-Eigen::Matrix3Xd evened_out(const Seen& seen, const Eigen::Vector3d& white) {
+Eigen::Matrix3Xd evened_out(const SeenColor& seen, const Eigen::Vector3d& white) {
   constexpr int kRounds = 12;
   constexpr double kBlack = 0.005;  // below this errors are seen no better
   Eigen::VectorXd share = (seen.xyz.row(1).array() + kBlack).pow(-4.0 / 3).transpose();

@@ -1,6 +1,6 @@
 #include "core/optics/spectral/illuminant.h"
 
-#include "core/math/approx.h"
+#include "core/base/approx.h"
 
 namespace pentimento {
 namespace {

@@ -4,7 +4,7 @@
 #include <charconv>
 #include <vector>
 
-#include "core/check.h"
+#include "core/base/check.h"
 #include "core/optics/plain_name.h"
 
 namespace pentimento {

@@ -1,7 +1,7 @@
 #pragma once
 // Paints whose absorption and scattering were measured per wavelength: nineteen Golden Heavy Body
-// acrylics (optics/data/SOURCE.md). Their K and S are relative to titanium white's scattering; what
-// film has optical thickness 1 the source leaves open, and kMeasuredScale settles.
+// acrylics (optics/data/SOURCE.md). Their K and S are relative to the scattering of titanium white.
+// The source does not say which film has optical thickness 1; kMeasuredScale decides that.
 
 #include <span>
 #include <string>
@@ -18,16 +18,17 @@ struct SpectralPaint {
   Spectrum S{};
 };
 
-/// K and S of the library over those of the table. At 12 titanium white hides a contrast of 95 % at
-/// thickness 1.4 and the median paint at 5, which is two passes of a full brush (docs/optics.md).
+/// Factor from K and S of the table to K and S of the library. At 12 titanium white hides a
+/// contrast of 95 % at thickness 1.4 and the median paint at 5, which is two passes of a full brush
+/// (docs/optics.md).
 inline constexpr double kMeasuredScale = 12;
 
-/// The interface through which they were measured, and are looked at: its k2. Its k1 is the gloss
-/// that the picture adds itself.
+/// The interface through which the paints were measured. Pictures use its k2; in place of k1 they
+/// have their own gloss.
 inline constexpr double kMeasuredK1 = 0.03;
 inline constexpr double kMeasuredK2 = 0.65;
 
-/// In the order of the table; names as "Golden Cobalt Blue".
+/// All measured paints, in the order of the table. Names are like "Golden Cobalt Blue".
 std::span<const SpectralPaint> measured_paints();
 
 /// The measured paint of that name, written as for find_library_pigment(), or nullptr.

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "core/optics/viewing.h"
+#include "core/model/viewing.h"
 
 namespace pentimento {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "core/math/approx.h"
+#include "core/base/approx.h"
 #include "core/optics/kubelka_munk.h"
 
 namespace pentimento {

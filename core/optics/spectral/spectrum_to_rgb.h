@@ -5,8 +5,8 @@
 #include <span>
 #include <string>
 
+#include "core/model/viewing.h"
 #include "core/optics/channels.h"
-#include "core/optics/viewing.h"
 
 namespace pentimento {
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "core/math/approx.h"
+#include "core/base/approx.h"
 
 namespace pentimento {
 namespace {
@@ -13,7 +13,7 @@ constexpr std::size_t kN = kSpectrumSamples;
 constexpr std::size_t kUnknowns = kN + 3;
 using Unknowns = std::array<double, kUnknowns>;  // z, then the multipliers
 using System = std::array<Unknowns, kUnknowns>;
-using Rgb = std::array<double, 3>;
+using RgbTriple = std::array<double, 3>;
 
 const SpectrumWeights& sight() {
   static const SpectrumWeights weights = rgb_weights({});
@@ -55,7 +55,7 @@ double pull(const Unknowns& x, std::size_t i) {
 }
 
 /// The conditions of the minimum, which are 0 there.
-Unknowns conditions(const Unknowns& x, const Rgb& rgb) {
+Unknowns conditions(const Unknowns& x, const RgbTriple& rgb) {
   Unknowns f{};
   for (std::size_t c = 0; c < 3; ++c) f[kN + c] = -rgb[c];
   for (std::size_t i = 0; i < kN; ++i) {
@@ -94,7 +94,7 @@ double grey(double reflectance) {
 Spectrum upsample(const std::array<double, 3>& rgb) {
   constexpr double kEdge = 0.001, kDone = 1e-20;
   constexpr int kMostSteps = 100, kMostHalvings = 20;
-  Rgb target = rgb;
+  RgbTriple target = rgb;
   for (double& c : target) c = std::clamp(c, kEdge, 1 - kEdge);
   Unknowns x{};
   std::fill_n(x.begin(), kN, grey((target[0] + target[1] + target[2]) / 3));
@@ -125,7 +125,8 @@ ColorBases::ColorBases() {
 }
 
 ColorBases::Shares base_shares(const std::array<double, 3>& rgb) {
-  // From dark to light: what all three have is white, what two have is their sum, the rest is one.
+  // The share that all three components have is white, the share that two of them have is their
+  // mixed corner, the rest is a single primary.
   std::array<std::size_t, 3> order = {0, 1, 2};
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     return std::pair(rgb[a], a) < std::pair(rgb[b], b);

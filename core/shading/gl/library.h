@@ -5,7 +5,7 @@
 #include <initializer_list>
 #include <string>
 
-#include "core/result.h"
+#include "core/base/result.h"
 
 namespace pentimento {
 

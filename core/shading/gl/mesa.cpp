@@ -25,7 +25,8 @@ extern "C" const char* __lsan_default_suppressions();
 extern "C" const char* __lsan_default_suppressions() {
   return "leak:libOSMesa\nleak:libEGL\nleak:libgallium\nleak:swrast_dri\n";
 }
-// And this one: it would list what it passes over on standard error, which is the command's.
+// It also looks for this name. It would list the leaks that it ignores on standard error, where the
+// program's own messages go.
 extern "C" const char* __lsan_default_options();
 extern "C" const char* __lsan_default_options() {
   return "print_suppressions=0";

@@ -6,8 +6,8 @@
 
 #include "core/brush/builtin_brushes.h"
 #include "core/brush/stroke_path.h"
-#include "core/optics/pigment_library.h"
-#include "core/simulation.h"
+#include "core/optics/paints/pigment_library.h"
+#include "core/simulation/simulation.h"
 
 namespace pentimento {
 namespace {
@@ -48,7 +48,7 @@ struct PeaksAndHollows {
   double peaks = 0, hollows = 0;
 };
 
-PeaksAndHollows laid(float load, float pressure) {
+PeaksAndHollows deposited(float load, float pressure) {
   const Threads threads(1);
   Simulation sim(canvas(3e-4f), threads);
   sim.set_brush(*builtin_brush("bristle"));
@@ -65,7 +65,7 @@ PeaksAndHollows laid(float load, float pressure) {
 }
 
 TEST(DryBrush, CatchesThePeaksOfTheWeave) {
-  const PeaksAndHollows wet = laid(1, 1), dry = laid(0.3f, 1), light = laid(1, 0.1f);
+  const PeaksAndHollows wet = deposited(1, 1), dry = deposited(0.3f, 1), light = deposited(1, 0.1f);
   EXPECT_GT(wet.hollows, wet.peaks);  // levelled: more in hollows
   EXPECT_GT(dry.peaks, 4 * dry.hollows);
   EXPECT_GT(light.peaks, 2 * light.hollows);

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/brush/builtin_brushes.h"
-#include "core/brush/gather.h"
+#include "core/brush/collect_paint.h"
 
 namespace pentimento {
 namespace {
@@ -39,7 +39,7 @@ TEST(Reservoir, RefillKeepsWhatWasLiftedAsVolume) {
   const PaintLoad load = load_of(0.002f, 0.04f);
   reservoir.refill(load, tip, 0.5f);
   const float* middle = reservoir.texel(kMiddle);
-  EXPECT_FLOAT_EQ(load.content_of(middle), 3 * load.content_m);
+  EXPECT_FLOAT_EQ(load.volume_of(middle), 3 * load.volume_m);
 }
 
 TEST(Reservoir, DroppingTheSurplusEndsAtTheLoad) {
@@ -117,18 +117,18 @@ TEST(Gather, TheBrushGainsPerAreaWhatTheCanvasLost) {
   for (const float diameter_m : {0.004f, 0.03f, 0.1f}) {
     stamp.diameter_m = diameter_m;
     const TipPose pose = pose_of(stamp, brush, 0);
-    const CellBox box = box_of(pose, tip.extent(), geometry);
-    std::vector<float> lifted(static_cast<std::size_t>(box.width * box.height * 4), 0.0f);
+    const FootprintBox box = box_of(pose, tip.extent(), geometry);
+    std::vector<float> picked_up(static_cast<std::size_t>(box.width * box.height * 4), 0.0f);
     std::vector<double> sum(3, 0.0);
-    for (std::size_t i = 0; i < lifted.size(); i += 4) {
-      lifted[i] = 1e-5f * static_cast<float>(1 + i % 7);
-      lifted[i + 1] = 1e-3f * static_cast<float>(i % 3);
-      sum[0] += static_cast<double>(lifted[i]);
-      sum[1] += static_cast<double>(lifted[i + 1]);
+    for (std::size_t i = 0; i < picked_up.size(); i += 4) {
+      picked_up[i] = 1e-5f * static_cast<float>(1 + i % 7);
+      picked_up[i + 1] = 1e-3f * static_cast<float>(i % 3);
+      sum[0] += static_cast<double>(picked_up[i]);
+      sum[1] += static_cast<double>(picked_up[i + 1]);
     }
     Reservoir reservoir(2);
     const std::vector<TouchedCells> rows(static_cast<std::size_t>(box.height), {0, box.width});
-    gather_lifted({lifted, 4, rows}, pose, box, geometry, tip, reservoir);
+    collect_picked_up({picked_up, 4, rows}, pose, box, geometry, tip, reservoir);
     double gained[3] = {0, 0, 0};
     for (int i = 0; i < kReservoirTexels; ++i)
       for (int k = 0; k < 3; ++k) gained[k] += static_cast<double>(reservoir.texel(i)[k]);
@@ -143,6 +143,37 @@ TEST(Gather, TheBrushGainsPerAreaWhatTheCanvasLost) {
   }
 }
 
+TEST(Gather, FinePaintArrivesWhereItsCellIs) {
+  const BrushDefinition brush = *builtin_brush("round");
+  const Tip tip(brush);
+  const CanvasGeometry geometry{400, 300, 0.2, 0.15};
+  Stamp stamp;
+  stamp.x_m = 0.1;
+  stamp.y_m = 0.07;
+  stamp.diameter_m = 0.1f;
+  const TipPose pose = pose_of(stamp, brush, 0);
+  const FootprintBox box = box_of(pose, tip.extent(), geometry);
+  const std::vector<TouchedCells> rows(static_cast<std::size_t>(box.height), {0, box.width});
+  for (const int right : {3, 7, 12}) {  // cells from the middle, where all texels are the tip's
+    std::vector<float> picked_up(static_cast<std::size_t>(box.width * box.height * 4), 0.0f);
+    const int x = box.width / 2 + right, y = box.height / 2 + 5;
+    picked_up[static_cast<std::size_t>((y * box.width + x) * 4)] = 1;
+    Reservoir reservoir(1);
+    collect_picked_up({picked_up, 4, rows}, pose, box, geometry, tip, reservoir);
+    double sum = 0, u = 0, v = 0;
+    for (const TipTexel& t : tip.texels()) {
+      const double paint = static_cast<double>(reservoir.texel(t.index)[0]);
+      sum += paint;
+      u += paint * static_cast<double>(t.u);
+      v += paint * static_cast<double>(t.v);
+    }
+    const TipRow row = tip_row(pose, box, geometry, box.y + y);
+    // Bilinear shares keep the place, up to the rounding of floats.
+    EXPECT_NEAR(u / sum, static_cast<double>(row.u(x)), 1e-6);
+    EXPECT_NEAR(v / sum, static_cast<double>(row.v(x)), 1e-6);
+  }
+}
+
 TEST(Gather, EveryComponentIsTreatedAlike) {
   // A component that is the sum of two others on the canvas is so in the brush too.
   const BrushDefinition brush = *builtin_brush("flat");
@@ -154,16 +185,16 @@ TEST(Gather, EveryComponentIsTreatedAlike) {
   for (const float diameter_m : {0.004f, 0.03f, 0.1f}) {
     stamp.diameter_m = diameter_m;
     const TipPose pose = pose_of(stamp, brush, 0);
-    const CellBox box = box_of(pose, tip.extent(), geometry);
-    std::vector<float> lifted(static_cast<std::size_t>(box.width * box.height * 4), 0.0f);
-    for (std::size_t i = 0; i < lifted.size(); i += 4) {
-      lifted[i] = 1e-3f * static_cast<float>(i % 3);
-      lifted[i + 1] = 1e-3f * static_cast<float>(1 + i % 7);
-      lifted[i + 2] = lifted[i] + 2 * lifted[i + 1];
+    const FootprintBox box = box_of(pose, tip.extent(), geometry);
+    std::vector<float> picked_up(static_cast<std::size_t>(box.width * box.height * 4), 0.0f);
+    for (std::size_t i = 0; i < picked_up.size(); i += 4) {
+      picked_up[i] = 1e-3f * static_cast<float>(i % 3);
+      picked_up[i + 1] = 1e-3f * static_cast<float>(1 + i % 7);
+      picked_up[i + 2] = picked_up[i] + 2 * picked_up[i + 1];
     }
     Reservoir reservoir(2);
     const std::vector<TouchedCells> rows(static_cast<std::size_t>(box.height), {0, box.width});
-    gather_lifted({lifted, 4, rows}, pose, box, geometry, tip, reservoir);
+    collect_picked_up({picked_up, 4, rows}, pose, box, geometry, tip, reservoir);
     for (const TipTexel& t : tip.texels()) {
       const float* paint = reservoir.texel(t.index);
       EXPECT_NEAR(paint[2], paint[0] + 2 * paint[1],

@@ -6,10 +6,10 @@
 #include <cstring>
 #include <vector>
 
-#include "core/brush/tip_print.h"
-#include "core/optics/pigment_library.h"
-#include "core/simulation.h"
-#include "tests/core/idle_follower.h"
+#include "core/brush/tip_footprint.h"
+#include "core/optics/paints/pigment_library.h"
+#include "core/simulation/simulation.h"
+#include "tests/core/idle_listener.h"
 
 namespace pentimento {
 namespace {
@@ -34,11 +34,11 @@ Stamp stamp_at(double x_m, double y_m) {
 
 /// Lays each stamp's height on a canvas of its own, `finer` times finer, with nothing but the plan.
 /// For stamps on a dry canvas, where what was lifted does not change the heights levelled to.
-class SecondCanvas : public test::IdleFollower {
+class SecondCanvas : public test::IdleListener {
  public:
   explicit SecondCanvas(int finer) : finer_(finer) {}
 
-  void lay(const StampPlan& plan, const CanvasState& canvas) override {
+  void before_deposit(const StampPlan& plan, const CanvasState& canvas) override {
     ++stamps;
     geometry_ = canvas.geometry;
     geometry_.width *= finer_;
@@ -47,9 +47,9 @@ class SecondCanvas : public test::IdleFollower {
     for (int y = 0; y < geometry_.height; ++y)
       for (int x = 0; x < geometry_.width; ++x)
         after(x, y) = canvas.depth_m(x / finer_, y / finer_);
-    const CellBox box = box_of(plan.pose, plan.extent, geometry_);
+    const FootprintBox box = box_of(plan.pose, plan.extent, geometry_);
     std::vector<float> paint(static_cast<std::size_t>(plan.stride));
-    TipPrint print;
+    TipFootprint print;
     print.draw_cells(plan, std::sqrt(geometry_.dx_m() * geometry_.dy_m()));
     std::vector<float> values(static_cast<std::size_t>(box.width));
     for (int j = 0; j < box.height; ++j) {
@@ -64,8 +64,8 @@ class SecondCanvas : public test::IdleFollower {
         const float share = stamp_levelled(plan, value, 0, height_m) * plan.share_scale;
         if (!(share > 0)) continue;
         plan.reservoir->sample(tip.u(i), tip.v(i), paint.data());
-        const float content = plan.load->content_of(paint.data());
-        after(x, y) += stamp_laid(plan, content, value, share).part * paint[0];
+        const float volume = plan.load->volume_of(paint.data());
+        after(x, y) += stamp_deposited(plan, volume, value, share).part * paint[0];
       }
     }
   }
@@ -88,9 +88,9 @@ class SecondCanvas : public test::IdleFollower {
 struct Hand {
   Threads threads{1};
   Simulation sim{setup_of_one_pigment(), threads};
-  explicit Hand(CanvasFollower& observer) {
+  explicit Hand(CanvasListener& listener) {
     sim.set_color(0);
-    sim.set_follower(&observer);
+    sim.set_listener(&listener);
     sim.begin_stroke(0, 1);
   }
 };
@@ -112,14 +112,14 @@ TEST(StampPlan, LaysAsMuchOnAFinerCanvas) {
   Hand hand(second);
   hand.sim.stamp(0, stamp_at(0.1, 0.07));
   // Each grid samples the tip at its cells' centres. 19 of the coarse ones to a diameter are wider
-  // than hairs: half of the 1 % within which Tip.LaysTheSameMassOnEveryGrid holds the grids.
+  // than bristles: half of the 1 % within which Tip.LaysTheSameMassOnEveryGrid holds the grids.
   EXPECT_NEAR(second.volume_m3() / hand.sim.wet().medium_m3, 1, 5e-3);
 }
 
 /// Notes how far down each stamp reaches.
-class Reach : public test::IdleFollower {
+class Reach : public test::IdleListener {
  public:
-  void lay(const StampPlan& plan, const CanvasState&) override { plans.push_back(plan); }
+  void before_deposit(const StampPlan& plan, const CanvasState&) override { plans.push_back(plan); }
   std::vector<StampPlan> plans;
 };
 
@@ -141,7 +141,7 @@ TEST(StampPlan, HairsSinkIntoThickWetPaint) {
               wet.catch_per_m * (static_cast<float>(wet.mean_height_m) - 6e-4f), 0.05f);
 }
 
-TEST(StampObserver, IsToldOfEachStampAlsoAfterClearing) {
+TEST(StampListener, IsToldOfEachStampAlsoAfterClearing) {
   SecondCanvas second(1);
   Hand hand(second);
   hand.sim.stamp(0, stamp_at(0.1, 0.07));
@@ -150,7 +150,7 @@ TEST(StampObserver, IsToldOfEachStampAlsoAfterClearing) {
   EXPECT_EQ(second.stamps, 2);
   hand.sim.stamp(0, stamp_at(-1, 0.07));  // off the canvas: nothing is laid
   EXPECT_EQ(second.stamps, 2);
-  hand.sim.set_follower(nullptr);
+  hand.sim.set_listener(nullptr);
   hand.sim.stamp(0, stamp_at(0.1, 0.07));
   EXPECT_EQ(second.stamps, 2);
 }

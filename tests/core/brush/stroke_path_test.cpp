@@ -149,6 +149,15 @@ TEST(StrokePath, AJumpAcrossTheWorldStampsOnlyTheCanvas) {
   }
 }
 
+TEST(StrokePath, ReachesTheFootOfATallCanvas) {
+  StrokePath path(kSpacing, 0.5, 1.5);
+  std::vector<Stamp> stamps;
+  path.begin(sample_at(0.1, 1.4, 0));
+  path.add(sample_at(0.4, 1.4, 1), stamps);
+  path.finish(stamps);
+  EXPECT_NEAR(travel_sum(stamps), 0.3, 1e-6);
+}
+
 TEST(StrokePath, LeavesAndComesBackWhereItShould) {
   const auto stamps = stamps_of({sample_at(0.9, 0.3, 0), sample_at(1.5, 0.3, 1),
                                  sample_at(1.5, 0.5, 2), sample_at(0.9, 0.5, 3)});
@@ -172,6 +181,17 @@ TEST(StrokePath, TwistTakesTheShortWay) {
   a.twist_rad = 6.2f;
   b.twist_rad = 0.1f;
   for (const Stamp& s : stamps_of({a, b})) EXPECT_TRUE(s.twist_rad > 6.1f || s.twist_rad < 0.2f);
+  std::swap(a.twist_rad, b.twist_rad);
+  for (const Stamp& s : stamps_of({a, b})) EXPECT_TRUE(s.twist_rad > 6.1f || s.twist_rad < 0.2f);
+}
+
+TEST(StrokePath, AMissingPressureIsThatOfTheOtherEnd) {
+  TouchSample with = sample_at(0.2, 0.3, 0), without = sample_at(0.3, 0.3, 1);
+  with.pressure = 0.4f;
+  std::vector<Stamp> stamps = stamps_of({with, without});
+  stamps.pop_back();  // the last stands where nothing is known
+  for (const Stamp& s : stamps) EXPECT_EQ(s.pressure, 0.4f);
+  for (const Stamp& s : stamps_of({without, with})) EXPECT_EQ(s.pressure, 0.4f);
 }
 
 }  // namespace

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "core/brush/builtin_brushes.h"
-#include "core/brush/footprint.h"
 #include "core/brush/resample.h"
+#include "core/brush/tip_pose.h"
 
 namespace pentimento {
 namespace {
@@ -57,8 +57,8 @@ TEST(Tip, ABladeEndsAtItsEnds) {
   EXPECT_EQ(knife.end_table().at(0.38f), 0);
   EXPECT_EQ(knife.end_table().at(0.47f), 1);
   EXPECT_EQ(knife.end_table().at(-0.47f), 1);
-  for (int i = 0; i <= HairTable::kSteps; ++i) {
-    const float end = knife.end_table().at(HairTable::at_step(i));
+  for (int i = 0; i <= BristleTable::kSteps; ++i) {
+    const float end = knife.end_table().at(BristleTable::at_step(i));
     EXPECT_TRUE(end >= 0 && end <= 1);
   }
 }
@@ -75,6 +75,19 @@ TEST(Tip, TheNameChoosesTheHairs) {
     differing += one.level_for(0.02f).at(0, v) != other.level_for(0.02f).at(0, v) ? 1 : 0;
   }
   EXPECT_GT(differing, 25);
+}
+
+TEST(Tip, DriesWithoutAJump) {
+  // Bristles of a wet brush all give; so do they just below where drying begins, at 0.8.
+  for (const std::string& name : builtin_brush_names()) {
+    const Tip tip(*builtin_brush(name));
+    const TipLevel wet = tip.level_for(0.02f), drying = tip.level_for(0.02f, {1, 0.7999f});
+    for (int i = 0; i < 50; ++i) {
+      const float v = -0.45f + 0.018f * static_cast<float>(i);
+      // The table's last step lets go of all at 0.114 below: a thousandth of it.
+      EXPECT_NEAR(drying.at(0, v), wet.at(0, v), 2e-3f) << name << " at " << v;
+    }
+  }
 }
 
 TEST(Tip, BristlesAreUneven) {
@@ -113,7 +126,7 @@ TEST(Tip, GripIsOneOnAverage) {
       EXPECT_TRUE(grip >= 0 && grip <= 2);
       sum += static_cast<double>(grip);
     }
-    EXPECT_NEAR(sum / 400, 1, 0.35) << name;  // some twenty clumps of hair
+    EXPECT_NEAR(sum / 400, 1, 0.35) << name;  // some twenty clumps of bristle
   }
 }
 
@@ -175,13 +188,55 @@ TEST(Footprint, TwistIsClockwiseAsSeen) {
   EXPECT_NEAR(p.y_u, 0.02f, 1e-6f);  // u axis, right at first, now points down
 }
 
+TEST(Footprint, TheTipLiesUnderTheHandleInBothAxes) {
+  const BrushDefinition flat = *builtin_brush("flat");
+  const double shift_m = 0.25 * 0.02 * std::sin(0.5);  // a quarter diameter times the lean
+  for (const bool down : {false, true}) {
+    Stamp stamp = upright();
+    (down ? stamp.tilt_y_rad : stamp.tilt_x_rad) = 0.5f;
+    const TipPose pose = pose_of(stamp, flat, 0);
+    // The shift is a float of some 2e-3 m.
+    EXPECT_NEAR(pose.x_m, 0.1 + (down ? 0 : shift_m), 1e-9);
+    EXPECT_NEAR(pose.y_m, 0.1 + (down ? shift_m : 0), 1e-9);
+  }
+}
+
+TEST(Footprint, TheBoxHoldsTheWholeTip) {
+  const CanvasGeometry geometry{100, 80, 0.2, 0.2};  // cells of 2 by 2.5 mm
+  for (const float twist_rad : {0.0f, 0.4f, 1.2f}) {
+    Stamp stamp = upright();
+    stamp.twist_rad = twist_rad;
+    const TipPose pose = pose_of(stamp, *builtin_brush("flat"), 0);
+    const FootprintBox box = box_of(pose, TipExtent(), geometry);
+    for (int y = 0; y < geometry.height; ++y) {
+      const TipRow row = tip_row(pose, {0, 0, geometry.width, 1, true}, geometry, y);
+      for (int x = 0; x < geometry.width; ++x) {
+        if (std::abs(row.u(x)) > 0.5f || std::abs(row.v(x)) > 0.5f) continue;
+        // One cell more on each side, into which the bilinear tip fades.
+        EXPECT_TRUE(x > box.x && x + 1 < box.x + box.width) << x << ", " << twist_rad;
+        EXPECT_TRUE(y > box.y && y + 1 < box.y + box.height) << y << ", " << twist_rad;
+      }
+    }
+  }
+}
+
+TEST(Footprint, AGridDrawsNoTipFinerThanOneAndAHalfOfItsCells) {
+  const CanvasGeometry grid{100, 400, 0.2,
+                            0.2};  // cells of 2 mm x 0.5 mm: 1 mm each, by their area
+  EXPECT_NEAR(cell_size_m(grid), 0.001f, 1e-9f);
+  Stamp stamp = upright();
+  EXPECT_FLOAT_EQ(pose_on(grid, stamp, *builtin_brush("round")).diameter_m, 0.02f);
+  stamp.diameter_m = 1e-4f;
+  EXPECT_FLOAT_EQ(pose_on(grid, stamp, *builtin_brush("round")).diameter_m, 0.0015f);
+}
+
 TEST(Footprint, BoxesAreCutAtTheCanvas) {
   const CanvasGeometry geometry{100, 100, 0.2, 0.2};
   Stamp stamp = upright();
   const TipExtent all;
   EXPECT_TRUE(box_of(pose_of(stamp, *builtin_brush("round"), 0), all, geometry).inside);
   stamp.x_m = 0;
-  const CellBox cut = box_of(pose_of(stamp, *builtin_brush("round"), 0), all, geometry);
+  const FootprintBox cut = box_of(pose_of(stamp, *builtin_brush("round"), 0), all, geometry);
   EXPECT_FALSE(cut.inside);
   EXPECT_EQ(cut.x, 0);
   EXPECT_LE(cut.width, 8);

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "core/canvas_state.h"
+#include "core/canvas/canvas_state.h"
 
 namespace pentimento {
 namespace {

@@ -9,14 +9,14 @@
 
 #include "core/brush/builtin_brushes.h"
 #include "core/brush/stroke_path.h"
-#include "core/detail/refinement.h"
-#include "core/simulation.h"
+#include "core/detail/detail_follower.h"
+#include "core/simulation/simulation.h"
 #include "tests/core/three_pigments.h"
 
 namespace pentimento::test {
 
 /// Smooth white paper.
-class PlainGround : public DetailGround {
+class PlainSubstrate : public DetailSubstrate {
  public:
   void relief_row(int, int, std::span<float> out) const override {
     for (float& h : out) h = 0;
@@ -36,19 +36,19 @@ class Painted {
       : threads_(std::move(threads)), sim_(setup_of(width), threads_) {
     const CanvasState& state = sim_.state();
     const auto side = static_cast<std::size_t>(DetailLayout(state.geometry, factor).side());
-    where.block_floats = side * side;
+    where.buffer_floats = side * side;
     store_ = std::move(*TileStore::open(where));
-    refinement_ = std::make_unique<Refinement>(
-        RefinementSetup{state.geometry, factor, state.layers, state.channels, state.bands,
-                        std::vector<float>(sim_.basis().amount.begin(), sim_.basis().amount.end()),
-                        locked},
-        ground_, *store_, threads_);
-    sim_.set_follower(refinement_.get());
+    follower_ = std::make_unique<DetailFollower>(
+        DetailFollowerSetup{
+            state.geometry, factor, state.layers, state.channels, state.bands,
+            std::vector<float>(sim_.basis().amount.begin(), sim_.basis().amount.end()), locked},
+        substrate_, *store_, threads_);
+    sim_.set_listener(follower_.get());
   }
 
   Simulation& sim() { return sim_; }
-  const Refinement& refinement() const { return *refinement_; }
-  Refinement& refinement() { return *refinement_; }
+  const DetailFollower& follower() const { return *follower_; }
+  DetailFollower& follower() { return *follower_; }
   const TileStore& store() const { return *store_; }
 
   /// A stroke, 0.6 s long, with steps in between.
@@ -96,9 +96,9 @@ class Painted {
 
   /// Becomes what `other` is, by what a dump of it has.
   void go_on_from(const Painted& other, CanvasState state, const CanvasSource& fine,
-                  const DetailNotes& notes) {
+                  const DetailCheckpoint& checkpoint) {
     sim_.restore(std::move(state));
-    refinement_->resume(fine, notes, sim_.state());
+    follower_->resume(fine, checkpoint, sim_.state());
     stroke_ = other.stroke_;
   }
 
@@ -124,10 +124,10 @@ class Painted {
   }
 
   Threads threads_;
-  PlainGround ground_;
+  PlainSubstrate substrate_;
   Simulation sim_;
   std::unique_ptr<TileStore> store_;
-  std::unique_ptr<Refinement> refinement_;
+  std::unique_ptr<DetailFollower> follower_;
   std::uint32_t stroke_ = 0;
 };
 
@@ -151,7 +151,7 @@ inline bool same_tiles(const DetailCanvas& a, const DetailCanvas& b) {
                     same) ||
         !std::equal(p->reflectance.begin(), p->reflectance.end(), q->reflectance.begin(),
                     q->reflectance.end(), same) ||
-        p->open.opened != q->open.opened || p->open.tangled != q->open.tangled)
+        p->open.opened != q->open.opened || p->open.mismatched != q->open.mismatched)
       return false;
   }
   return true;

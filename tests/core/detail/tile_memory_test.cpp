@@ -1,4 +1,4 @@
-// What a cell of the finer canvas takes: docs/bench/poster.md states these figures.
+// What a cell of the detail canvas takes: docs/bench/poster.md states these figures.
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ std::int64_t tiles_of(const DetailCanvas& canvas) {
 
 /// Bytes of planes per cell of the tiles that exist.
 double bytes_per_cell(const test::Painted& painted) {
-  const DetailCanvas& canvas = painted.refinement().canvas();
+  const DetailCanvas& canvas = painted.follower().canvas();
   const double cells =
       static_cast<double>(tiles_of(canvas)) * canvas.layout().side() * canvas.layout().side();
   return static_cast<double>(painted.store().bytes()) / cells;
@@ -23,7 +23,7 @@ double bytes_per_cell(const test::Painted& painted) {
 
 TEST(TileMemory, BareCanvasTakesNone) {
   const test::Painted painted(128, 8);
-  EXPECT_EQ(tiles_of(painted.refinement().canvas()), 0);
+  EXPECT_EQ(tiles_of(painted.follower().canvas()), 0);
   EXPECT_EQ(painted.store().bytes(), 0);
 }
 
@@ -34,8 +34,7 @@ TEST(TileMemory, ATileTakesThePigmentsThatItHas) {
   // of a tile in which nothing lies yet.)
   EXPECT_GT(bytes_per_cell(painted), 8);
   EXPECT_LE(bytes_per_cell(painted), 16);
-  EXPECT_LT(tiles_of(painted.refinement().canvas()),
-            painted.refinement().canvas().layout().tiles());
+  EXPECT_LT(tiles_of(painted.follower().canvas()), painted.follower().canvas().layout().tiles());
   painted.cross();
   // At most three pigments where strokes cross: eight floats.
   EXPECT_LE(bytes_per_cell(painted), 32);

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/fluid/scheme.h"
+#include "core/simulation/make_scheme.h"
 #include "tests/core/fluid/shallow_water.h"
 
 namespace pentimento {

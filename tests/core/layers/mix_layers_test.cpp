@@ -44,6 +44,16 @@ TEST(MixLayers, EmptyLayersAboveStayEmpty) {
   EXPECT_EQ(cells.get(0), (std::vector<float>{0.75f, 0.75f, 0}));
 }
 
+TEST(MixLayers, EmptyLayersStayEmptyBesideAHigherCell) {
+  LayerCells cells(3, 1, 2);
+  cells.set(0, {1, 0.5f, 0.25f});
+  cells.state().channel(0, 0)(1, 0) = 1;
+  cells.state().channel(1, 0)(1, 0) = 0.5f;
+  const float weight[] = {1, 1};
+  mix_layers_row({0.5f, 0}, cells.row(), weight);
+  EXPECT_EQ(cells.get(0, 1), (std::vector<float>{0.75f, 0.75f, 0}));
+}
+
 TEST(MixLayers, ResidueDoesNotLeaveTheBottom) {
   LayerCells cells(2, 1);
   cells.set(0, {0.5f, 0.25f});

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/optics/kubelka_munk.h"
-#include "core/optics/pigment_library.h"
+#include "core/optics/paints/pigment_library.h"
 
 namespace pentimento {
 namespace {

@@ -25,6 +25,15 @@ TEST(Tone, SoftLeavesTheLowerPartAloneAndBendsWithoutAKink) {
   EXPECT_NEAR(slope, 1, 0.05f);  // 1 - 2 x 0.005 / 0.3 over this step
 }
 
+TEST(Tone, HasTheHeaderFormulasValues) {
+  // By hand: the knee, and 1 - 0.3 / (1 + n) at n times 0.3 above it.
+  EXPECT_EQ(tone(ToneCurve::kSoft, 0.7f), 0.7f);
+  EXPECT_FLOAT_EQ(tone(ToneCurve::kSoft, 0.72f), 0.71875f);  // 1 - 0.3 / (1 + 1/15)
+  EXPECT_FLOAT_EQ(tone(ToneCurve::kSoft, 1.0f), 0.85f);
+  EXPECT_FLOAT_EQ(tone(ToneCurve::kSoft, 1.3f), 0.9f);
+  EXPECT_FLOAT_EQ(tone(ToneCurve::kFilmic, 0.5f), 0.6425f / 1.0425f);
+}
+
 TEST(Tone, NamesLeadBack) {
   for (const ToneCurve curve : {ToneCurve::kNone, ToneCurve::kSoft, ToneCurve::kFilmic})
     EXPECT_EQ(tone_curve_of(tone_curve_name(curve)), curve);

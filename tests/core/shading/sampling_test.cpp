@@ -95,5 +95,17 @@ TEST(TilePlan, KeepsTexturesUnderTheirLimitsForPosters) {
   }
 }
 
+TEST(TilePlan, LeavesRoomForTheReliefsBorder) {
+  // A cell a pixel, at most 4096 of them with those around the run's own: 4000 leave room for 80
+  // cells of relief on one side, not on both. Half of them is the next count tried.
+  TileDemand d = demand(20000, 20000, 4000);
+  EXPECT_EQ(plan_tiles(d).width, 4000);
+  d.border = 80;
+  const TilePlan plan = plan_tiles(d);
+  EXPECT_EQ(plan.width, 2000);
+  EXPECT_LE(d.x.most_cells(plan.width) + 2 * 80, 4096);
+  EXPECT_LE(d.y.most_cells(plan.height) + 2 * 80, 4096);
+}
+
 }  // namespace
 }  // namespace pentimento

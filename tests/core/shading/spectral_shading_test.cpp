@@ -2,9 +2,9 @@
 
 #include <random>
 
-#include "core/drying.h"
 #include "core/optics/composite.h"
 #include "core/shading/shader.h"
+#include "core/simulation/drying.h"
 #include "tests/core/optics/spectral/library_mixtures.h"
 #include "tests/reference/whole_picture.h"
 
@@ -127,7 +127,7 @@ TEST(SpectralShading, WhatOpenGlDoesNotHoldIsAnErrorThatNamesIt) {
 TEST(SpectralShading, BarePaperLooksAsAskedInEveryLight) {
   Canvas canvas(mixtures::spectral_model(kDefaultBands), 1);
   for (Field<float>& plane : canvas.state.pigment) plane.fill(0);
-  const std::vector<float> paper = canvas.maker.ground({0.5f, 0.5f, 0.5f});
+  const std::vector<float> paper = canvas.maker.substrate({0.5f, 0.5f, 0.5f});
   for (std::size_t b = 0; b < paper.size(); ++b) canvas.state.reflectance[b].fill(paper[b]);
   for (const Illuminant light : {Illuminant::kD65, Illuminant::kA, Illuminant::kF11}) {
     canvas.model.illuminant = light;

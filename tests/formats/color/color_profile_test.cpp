@@ -39,7 +39,7 @@ TEST(ColorProfile, BlackAndWhiteAreExact) {
   }
 }
 
-void expect_matrix(const Matrix3& m, const Matrix3& published, double tolerance) {
+void expect_matrix(const ColorMatrix& m, const ColorMatrix& published, double tolerance) {
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j)
       EXPECT_NEAR(m[i][j], published[i][j], tolerance) << i << "," << j;
@@ -64,7 +64,7 @@ TEST(ColorProfile, MatricesToXyzAreThePublishedOnes) {
 TEST(ColorProfile, WhiteStaysWhiteAndTheWayBackLeadsBack) {
   for (const ColorProfile a : kColorProfiles)
     for (const ColorProfile b : kColorProfiles) {
-      const Matrix3 there = between(a, b), back = between(b, a);
+      const ColorMatrix there = between(a, b), back = between(b, a);
       for (std::size_t i = 0; i < 3; ++i) {
         // Rounding of two inversions.
         EXPECT_NEAR(there[i][0] + there[i][1] + there[i][2], 1, 1e-14);

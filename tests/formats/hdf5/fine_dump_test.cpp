@@ -19,7 +19,7 @@ using reference::MadeUpCanvas;
 using test::Scratch;
 
 /// A guide of 61 x 47 cells under a canvas k times finer.
-StateDump made_up_fine_dump(int k, int layers = 2, int pigments = 3) {
+StateDump made_up_detail_dump(int k, int layers = 2, int pigments = 3) {
   StateDump dump = test::made_up_dump(61, 47, layers, pigments);
   dump.detail = k;
   CanvasGeometry fine = dump.state.geometry;
@@ -54,7 +54,7 @@ void expect_same_canvas(const CanvasSource& a, const CanvasSource& b) {
 
 TEST(FineDump, GivesBackBothCanvases) {
   const Scratch scratch;
-  const StateDump dump = made_up_fine_dump(11);  // 671 x 517: chunks are cut at both edges
+  const StateDump dump = made_up_detail_dump(11);  // 671 x 517: chunks are cut at both edges
   const auto written = write_state(scratch.path("a.h5"), dump, {});
   ASSERT_TRUE(written) << written.error().message;
   const auto back = read_state(scratch.path("a.h5"));
@@ -71,11 +71,11 @@ TEST(FineDump, GivesBackBothCanvases) {
 
 TEST(FineDump, TheGuideIsThatOfADumpWithoutDetail) {
   const Scratch scratch;
-  StateDump plain = made_up_fine_dump(4);
+  StateDump plain = made_up_detail_dump(4);
   plain.fine.reset();
   plain.detail = 1;
   ASSERT_TRUE(write_state(scratch.path("a.h5"), plain, {}));
-  ASSERT_TRUE(write_state(scratch.path("b.h5"), made_up_fine_dump(4), {}));
+  ASSERT_TRUE(write_state(scratch.path("b.h5"), made_up_detail_dump(4), {}));
   const auto a = read_state(scratch.path("a.h5")), b = read_state(scratch.path("b.h5"));
   ASSERT_TRUE(a && b);
   EXPECT_EQ(a->guide_sha256, b->guide_sha256);
@@ -84,14 +84,14 @@ TEST(FineDump, TheGuideIsThatOfADumpWithoutDetail) {
 }
 
 TEST(FineDump, HashDoesNotDependOnReadingAhead) {
-  const StateDump dump = made_up_fine_dump(11);  // planes of more rows than are read at once
+  const StateDump dump = made_up_detail_dump(11);  // planes of more rows than are read at once
   const std::string one = state_sha256(*dump.fine);
   for (const int threads : {2, 7}) EXPECT_EQ(state_sha256(*dump.fine, Threads(threads)), one);
 }
 
 TEST(FineDump, BytesDoNotDependOnThreads) {
   const Scratch scratch;
-  const StateDump dump = made_up_fine_dump(8);
+  const StateDump dump = made_up_detail_dump(8);
   const auto one = write_state(scratch.path("a.h5"), dump, {});
   DumpOptions options;
   options.threads = 7;
@@ -114,7 +114,7 @@ TEST(FineDump, BareCanvasTakesNoSpace) {
     bool empty(const CellWindow&) const override { return true; }
   };
   const Scratch scratch;
-  StateDump dump = made_up_fine_dump(32);
+  StateDump dump = made_up_detail_dump(32);
   dump.fine = std::make_shared<Bare>(dump.fine->geometry(), 2, 3);
   ASSERT_TRUE(write_state(scratch.path("a.h5"), dump, {}));
   // 2.9 M cells; the guide's 183 kB and minus zero in velocity_y remain.
@@ -124,7 +124,7 @@ TEST(FineDump, BareCanvasTakesNoSpace) {
 
 TEST(FineDump, OtherProgramsReadIt) {
   const Scratch scratch;
-  const StateDump dump = made_up_fine_dump(11);
+  const StateDump dump = made_up_detail_dump(11);
   ASSERT_TRUE(write_state(scratch.path("a.h5"), dump, {}));
   test::spill(scratch.path("check.py"), R"(
 import h5py, numpy as np, sys
@@ -146,7 +146,7 @@ assert f['/layers/stroke'][...].max() > 0
 
 TEST(FineDump, InfoTellsTheDetail) {
   const Scratch scratch;
-  ASSERT_TRUE(write_state(scratch.path("a.h5"), made_up_fine_dump(5), {}));
+  ASSERT_TRUE(write_state(scratch.path("a.h5"), made_up_detail_dump(5), {}));
   const auto told = describe_state(scratch.path("a.h5"));
   ASSERT_TRUE(told);
   EXPECT_EQ(told->width, 305);
@@ -155,7 +155,7 @@ TEST(FineDump, InfoTellsTheDetail) {
 
 TEST(FineDump, IsRefusedWithAValueChanged) {
   const Scratch scratch;
-  ASSERT_TRUE(write_state(scratch.path("a.h5"), made_up_fine_dump(5), {}));
+  ASSERT_TRUE(write_state(scratch.path("a.h5"), made_up_detail_dump(5), {}));
   test::spill(scratch.path("change.py"), R"(
 import h5py, sys
 with h5py.File(sys.argv[1], 'r+') as f:
@@ -181,7 +181,7 @@ with h5py.File(sys.argv[1], 'r+') as f:
 TEST(FineDump, AFullDiskIsAnErrorAndNoCrash) {
   // /dev/full cannot be mapped or renamed; a limit on the size of files takes the same path.
   const Scratch scratch;
-  const StateDump dump = made_up_fine_dump(16);
+  const StateDump dump = made_up_detail_dump(16);
   rlimit old{};
   ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &old), 0);
   std::signal(SIGXFSZ, SIG_IGN);

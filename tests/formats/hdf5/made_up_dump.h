@@ -3,7 +3,7 @@
 
 #include <random>
 
-#include "core/fluid/conservative/tiles.h"
+#include "core/fluid/conservative/tiles/sleep_tiles.h"
 #include "formats/hdf5/state_dump.h"
 
 namespace pentimento::test {
@@ -88,7 +88,7 @@ inline StateDump made_up_dump(int width, int height, int layers, int pigments) {
   dump.time_s = 126.5;
   dump.model.nu_max_m2_s = 0.02f;
   dump.model.scheme = SchemeKind::kConservative;
-  const conservative::Tiles tiles(geometry, dump.model.sleep_tile_m);
+  const conservative::SleepTiles tiles(geometry, dump.model.sleep_tile_m);
   for (int i = 0; i < tiles.count() * conservative::kSleepValues; ++i)
     s.sleep.push_back(static_cast<float>(random() % 1024) / 1023.0f);
   dump.lighting = made_up_lighting();

@@ -4,7 +4,7 @@
 
 #include <cstring>
 
-#include "core/optics/paint_maker.h"
+#include "core/optics/paints/paint_maker.h"
 #include "formats/io/provenance.h"
 #include "tests/formats/hdf5/made_up_dump.h"
 #include "tests/formats/scratch.h"

@@ -91,7 +91,7 @@ TEST(SampleTiled, RepeatsATileExactly) {
   Field<float> tile(3, 2);
   for (int y = 0; y < 2; ++y)
     for (int x = 0; x < 3; ++x) tile(x, y) = static_cast<float>(1 + x + 3 * y);
-  const Field<float> g = sample_tiled(tile.view(), 8, 5, 3, 2);
+  const Field<float> g = sample_repeated(tile.view(), 8, 5, 3, 2);
   for (int y = 0; y < 5; ++y)
     for (int x = 0; x < 8; ++x) EXPECT_EQ(g(x, y), tile(x % 3, y % 2));
 }
@@ -101,7 +101,7 @@ TEST(SampleTiled, HasNoSeam) {
   Field<float> tile(16, 1);
   for (int x = 0; x < 16; ++x)
     tile(x, 0) = std::sin(6.2831853f * (static_cast<float>(x) + 0.5f) / 16);
-  const Field<float> g = sample_tiled(tile.view(), 120, 1, 40, 1);
+  const Field<float> g = sample_repeated(tile.view(), 120, 1, 40, 1);
   for (int x = 1; x < 120; ++x) {
     // Steepest slope 2 pi / 40 per cell.
     EXPECT_LT(std::abs(g(x, 0) - g(x - 1, 0)), 0.16f) << x;
@@ -116,7 +116,7 @@ TEST(SampleTiled, AveragesATileThatIsReduced) {
   Field<float> tile(10, 10);
   for (int y = 0; y < 10; ++y)
     for (int x = 0; x < 10; ++x) tile(x, y) = static_cast<float>((x + y) % 2);
-  const Field<float> g = sample_tiled(tile.view(), 8, 8, 4, 4);
+  const Field<float> g = sample_repeated(tile.view(), 8, 8, 4, 4);
   EXPECT_NEAR(sum(g) / 64, 0.5, 1e-6);
   for (int x = 0; x < 8; ++x) EXPECT_NEAR(g(x, 3), 0.5f, 0.5f * 0.2f * 0.2f + 1e-6f);
 }
@@ -136,7 +136,7 @@ TEST(Resample, IsFrozen) {
   EXPECT_EQ(hash(resample_area(f.view(), 7, 5)), 16342899540472185923u);
   EXPECT_EQ(hash(resample_bilinear(f.view(), 40, 31)), 1391679633993064148u);
   EXPECT_EQ(hash(resample_bicubic(f.view(), 40, 31)), 300458561343144644u);
-  EXPECT_EQ(hash(sample_tiled(f.view(), 40, 31, 23.7, 9.3)), 5223548488118324771u);
+  EXPECT_EQ(hash(sample_repeated(f.view(), 40, 31, 23.7, 9.3)), 5223548488118324771u);
 }
 
 }  // namespace

@@ -6,8 +6,8 @@
 #include <fstream>
 #include <iterator>
 
-#include "formats/log/model_fields.h"
-#include "formats/log/slider_fields.h"
+#include "formats/log/tables/model_fields.h"
+#include "formats/log/tables/slider_fields.h"
 #include "tests/formats/log/log_text.h"
 
 namespace pentimento::log {

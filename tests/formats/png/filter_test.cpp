@@ -9,11 +9,11 @@
 namespace pentimento {
 namespace {
 
-using Bytes = std::vector<std::uint8_t>;
+using PngBytes = std::vector<std::uint8_t>;
 
 /// The standard's reconstruction, byte by byte (section 9.2).
-Bytes unfiltered(const Bytes& filtered, const Bytes& above, int bpp) {
-  Bytes row;
+PngBytes unfiltered(const PngBytes& filtered, const PngBytes& above, int bpp) {
+  PngBytes row;
   for (std::size_t i = 0; i + 1 < filtered.size(); ++i) {
     const bool first = i < static_cast<std::size_t>(bpp);
     const int a = first ? 0 : row[i - static_cast<std::size_t>(bpp)];
@@ -28,8 +28,8 @@ Bytes unfiltered(const Bytes& filtered, const Bytes& above, int bpp) {
   return row;
 }
 
-Bytes filtered(const Bytes& row, const Bytes& above, int bpp) {
-  Bytes scratch(4 * row.size()), out(row.size() + 1);
+PngBytes filtered(const PngBytes& row, const PngBytes& above, int bpp) {
+  PngBytes scratch(4 * row.size()), out(row.size() + 1);
   png::filter_row(row, above, bpp, scratch, out.data());
   return out;
 }
@@ -38,7 +38,7 @@ TEST(PngFilter, IsUndoneByTheStandardsReconstruction) {
   std::mt19937 random(1);
   for (const int bpp : {3, 6})
     for (int pixels = 1; pixels <= 40; ++pixels) {
-      Bytes above(static_cast<std::size_t>(pixels * bpp)), row(above.size());
+      PngBytes above(static_cast<std::size_t>(pixels * bpp)), row(above.size());
       for (std::size_t i = 0; i < row.size(); ++i) {
         above[i] = static_cast<std::uint8_t>(random());
         row[i] = static_cast<std::uint8_t>(above[i] + random() % 5 + (pixels % 3 == 0 ? i : 0));
@@ -48,7 +48,7 @@ TEST(PngFilter, IsUndoneByTheStandardsReconstruction) {
 }
 
 TEST(PngFilter, ChoosesWhatLeavesLeast) {
-  const Bytes zeros(12, 0), ramp = {10, 10, 10, 20, 20, 20, 30, 30, 30, 40, 40, 40};
+  const PngBytes zeros(12, 0), ramp = {10, 10, 10, 20, 20, 20, 30, 30, 30, 40, 40, 40};
   EXPECT_EQ(filtered(zeros, ramp, 3)[0], 0);  // already zero
   EXPECT_EQ(filtered(ramp, zeros, 3)[0], 1);  // equal steps to the right
   EXPECT_EQ(filtered(ramp, ramp, 3)[0], 2);   // as above

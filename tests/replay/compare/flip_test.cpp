@@ -86,14 +86,14 @@ TEST(Flip, DoesNotDependOnThreads) {
 }
 
 TEST(FlipColor, WhiteIsTheOriginOfColour) {
-  const flip::Color ycc = flip::ycxcz_of_rgb({1, 1, 1});
+  const flip::ColorTriple ycc = flip::ycxcz_of_rgb({1, 1, 1});
   EXPECT_NEAR(ycc[0], 100, 1e-12);
   EXPECT_NEAR(ycc[1], 0, 1e-12);
   EXPECT_NEAR(ycc[2], 0, 1e-12);
 }
 
 TEST(FlipColor, OpponentSpaceGoesBack) {
-  const flip::Color rgb = flip::rgb_of_ycxcz(flip::ycxcz_of_rgb({0.2, 0.7, 0.05}));
+  const flip::ColorTriple rgb = flip::rgb_of_ycxcz(flip::ycxcz_of_rgb({0.2, 0.7, 0.05}));
   EXPECT_NEAR(rgb[0], 0.2, 1e-12);
   EXPECT_NEAR(rgb[1], 0.7, 1e-12);
   EXPECT_NEAR(rgb[2], 0.05, 1e-12);
@@ -101,7 +101,7 @@ TEST(FlipColor, OpponentSpaceGoesBack) {
 
 TEST(FlipColor, LabOfTheRedPrimaryIsTheKnownOne) {
   // CIELAB of sRGB red under D65: L 53.24, a 80.09, b 67.20 (Lindbloom), before Hunt's 0.01 L.
-  const flip::Color lab = flip::hunt_lab_of_rgb({1, 0, 0});
+  const flip::ColorTriple lab = flip::hunt_lab_of_rgb({1, 0, 0});
   EXPECT_NEAR(lab[0], 53.24, 0.01);
   EXPECT_NEAR(lab[1], 0.5324 * 80.09, 0.02);
   EXPECT_NEAR(lab[2], 0.5324 * 67.20, 0.02);

@@ -35,7 +35,7 @@ std::vector<StrokeStamp> stamps_of(const std::vector<Cue>& cues, int hand = 0) {
   std::vector<StrokeStamp> stamps;
   for (const Cue& cue : cues) {
     const auto* stamp = std::get_if<StrokeStamp>(&cue.what);
-    if (stamp != nullptr && stamp->hand == hand) stamps.push_back(*stamp);
+    if (stamp != nullptr && stamp->slot == hand) stamps.push_back(*stamp);
   }
   return stamps;
 }
@@ -133,7 +133,7 @@ TEST(Timeline, AHandIsFreeAgainOnceItsTouchLifts) {
   std::vector<std::uint32_t> ids;
   for (const Cue& cue : play(reader)) {
     if (const auto* begin = std::get_if<StrokeBegin>(&cue.what)) {
-      EXPECT_EQ(begin->hand, 0);
+      EXPECT_EQ(begin->slot, 0);
       ids.push_back(begin->stroke_id);
     }
   }

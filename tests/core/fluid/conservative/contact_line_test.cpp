@@ -14,7 +14,7 @@ constexpr float kCell = 0.001f;
 // What is left of a friction of 1 on the face between (x, y) and the cell below.
 float left_below(const Field<float>& depth_m, int x, int y) {
   float friction = 1;
-  ContactLine(kHeld, kReach, kCell, kCell).hold_row(depth_m, Axis::kY, x, y, 1, &friction);
+  ContactLine(kHeld, kReach, kCell, kCell).pin_row(depth_m, Axis::kY, x, y, 1, &friction);
   return friction;
 }
 
@@ -49,7 +49,7 @@ TEST(ContactLine, SeesTheSameOnFinerCells) {
   for (int y = 0; y < 32; ++y)
     for (int x = 0; x < 64; ++x) fine(x, y) = 1.5f * kHeld;
   float friction = 1;
-  ContactLine(kHeld, kReach, kCell / 2, kCell / 2).hold_row(fine, Axis::kY, 32, 31, 1, &friction);
+  ContactLine(kHeld, kReach, kCell / 2, kCell / 2).pin_row(fine, Axis::kY, 32, 31, 1, &friction);
   EXPECT_NEAR(friction, left_below(film(1.5f * kHeld, 0), 16, 15), 3e-6f);
 }
 
@@ -58,7 +58,7 @@ TEST(ContactLine, CellsWiderThanTheReachStillSeeTheirOwn) {
   for (int x = 0; x < 8; ++x)
     for (int y = 0; y < 4; ++y) coarse(x, y) = 2 * kHeld;
   float friction = 1;
-  ContactLine(kHeld, kReach, 0.1f, 0.1f).hold_row(coarse, Axis::kY, 4, 3, 1, &friction);
+  ContactLine(kHeld, kReach, 0.1f, 0.1f).pin_row(coarse, Axis::kY, 4, 3, 1, &friction);
   EXPECT_FLOAT_EQ(friction, 0.75f);
 }
 

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "core/fluid/conservative/layer_speed_row.h"
+#include "core/fluid/conservative/advection/layer_speed_row.h"
 #include "tests/core/fluid/conservative/basin.h"
 
 namespace pentimento::conservative {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "core/fluid/conservative/transport.h"
+#include "core/fluid/conservative/advection/advection.h"
 #include "tests/core/fluid/conservative/basin.h"
 #include "tests/core/fluid/conservative/plain_paint.h"
 
@@ -33,7 +33,7 @@ Basin moving(float speed) {
   return b;
 }
 
-class Edges : public PaintFollower {
+class Edges : public AdvectionListener {
  public:
   explicit Edges(const Basin& b) : edges_(b.state.geometry, b.state.layers) {}
   PaintEdges& edges() override { return edges_; }
@@ -71,12 +71,12 @@ TEST_P(MoveRows, PaintLandsWhereThePlainTwinPutsIt) {
                            b->amount,
                            b->pool,
                            followed ? &edges : nullptr};
-        Tiles tiles(b->state.geometry, b->model.sleep_tile_m);
+        SleepTiles tiles(b->state.geometry, b->model.sleep_tile_m);
         tiles.wake(b->state, in);
         if (b == &fast)
-          move_paint(b->state, in, axis, tiles);
+          advect_paint(b->state, in, axis, tiles);
         else
-          move_paint_in_blocks(b->state, in, axis, tiles);
+          advect_paint_in_batches(b->state, in, axis, tiles);
       }
       EXPECT_TRUE(same_bits(fast.state.depth_m, plain.state.depth_m));
       for (std::size_t k = 0; k < fast.state.pigment.size(); ++k)
@@ -88,13 +88,13 @@ TEST_P(MoveRows, PaintLandsWhereThePlainTwinPutsIt) {
 TEST_P(MoveRows, MomentumGoesWhereThePlainTwinPutsIt) {
   Basin b = moving(GetParam());
   const StepInput in{b.model, b.gravity_m_s2, b.dt_s, b.contact, b.amount, b.pool};
-  Tiles tiles(b.state.geometry, b.model.sleep_tile_m);
+  SleepTiles tiles(b.state.geometry, b.model.sleep_tile_m);
   tiles.wake(b.state, in);
   Workspace fast(b.state.geometry), plain(b.state.geometry);
   for (Workspace* w : {&fast, &plain}) fill_node_masses(b.state, tiles, b.pool, *w);
   for (const Turn turn : {Turn::kFirst, Turn::kSecond}) {
-    move_momentum(b.state, in, Axis::kY, turn, tiles, fast);
-    move_momentum_in_blocks(b.state, in, Axis::kY, turn, tiles, plain);
+    advect_momentum(b.state, in, Axis::kY, turn, tiles, fast);
+    advect_momentum_in_batches(b.state, in, Axis::kY, turn, tiles, plain);
   }
   const auto expect_same = [](const WorkPlane& a, const WorkPlane& c) {
     for (int y = 0; y < a.height(); ++y)

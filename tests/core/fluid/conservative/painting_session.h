@@ -7,7 +7,7 @@
 
 #include "core/brush/builtin_brushes.h"
 #include "core/brush/stroke_path.h"
-#include "core/simulation.h"
+#include "core/simulation/simulation.h"
 #include "tests/core/three_pigments.h"
 
 namespace pentimento::conservative {

@@ -1,17 +1,17 @@
 #pragma once
-// The plain twin of moving paint: block after block, each quantity copied into a flat array, moved
-// there by remap_block and copied back. Any axis.
+// The plain twin of moving paint: batch after batch, each quantity copied into a flat array, moved
+// there by remap_batch and copied back. Any axis.
 
 #include <algorithm>
 
-#include "core/fluid/conservative/block.h"
-#include "core/fluid/conservative/crowd_limit.h"
-#include "core/fluid/conservative/layer_speed_row.h"
-#include "core/fluid/conservative/quantum.h"
-#include "core/fluid/conservative/transport.h"
+#include "core/fluid/conservative/advection/advection.h"
+#include "core/fluid/conservative/advection/crowd_limit.h"
+#include "core/fluid/conservative/advection/layer_speed_row.h"
+#include "core/fluid/conservative/advection/line_batch.h"
+#include "core/fluid/conservative/tiles/quantum.h"
 
 namespace pentimento::conservative {
-// Everything one thread needs to move the paint of a block; buffers are kept between blocks.
+// Everything one thread needs to move the paint of a batch; buffers are kept between batches.
 class PlainPaintMover {
  public:
   PlainPaintMover(CanvasState& state, const StepInput& in, Axis axis)
@@ -21,7 +21,7 @@ class PlainPaintMover {
     amount_.rounder = rounder_for(quantum_for(in.model.max_pigment));
   }
 
-  void move(const Block& b) {
+  void move(const LineBatch& b) {
     const auto n = static_cast<std::size_t>(b.cells());
     plan_.resize(b.cells(), b.step());
     scratch_.resize(b.cells(), b.step());
@@ -37,7 +37,7 @@ class PlainPaintMover {
   }
 
  private:
-  void fill_displacements(const Block& b) {
+  void fill_displacements(const LineBatch& b) {
     const bool along_x = axis_ == Axis::kX;
     const CanvasGeometry& g = state_.geometry;
     const float per_m = 1 / (along_x ? g.dx_m() : g.dy_m());
@@ -57,11 +57,11 @@ class PlainPaintMover {
 
   // present_ = the channels that are in the block at all; share_ = the share of layer 0 that moves;
   // middle_ = where in the film each layer lies, by the pigment that moves.
-  void find_layers(const Block& b) {
+  void find_layers(const LineBatch& b) {
     for (int layer = 0; layer < state_.layers; ++layer) {
       std::vector<float>& sum = layer_[at(layer)];
       for (int c = 0; c < state_.channels; ++c) {
-        load_block(b, state_.channel(layer, c), held_.data());
+        load_batch(b, state_.channel(layer, c), held_.data());
         present_[at(layer * state_.channels + c)] =
             std::any_of(held_.begin(), held_.end(), [](float a) { return a > 0; });
         for (std::size_t i = 0; i < held_.size(); ++i) sum[i] += in_.amount[at(c)] * held_[i];
@@ -82,11 +82,11 @@ class PlainPaintMover {
     }
   }
 
-  void move_depth(const Block& b) {
+  void move_depth(const LineBatch& b) {
     for (std::size_t e = 0; e < plan_.edge.size(); ++e)
       plan_.edge[e] = flow_[e] + 0.5f * push_[e];  // (k + 1/2)/n is 1/2 in the mean over layers
     float* value = scratch_.cells(scratch_.value, plan_.step);
-    load_block(b, state_.depth_m, value);
+    load_batch(b, state_.depth_m, value);
     mirror_ends(value, b.cells(), plan_.step);
     const CrowdLines lines{b.cells() / plan_.step, plan_.step,
                            kMostDepthShare * in_.model.max_medium_m};
@@ -95,11 +95,11 @@ class PlainPaintMover {
         flow_[e] = plan_.edge[e] - 0.5f * push_[e];  // the layers give way with it
     record(b, 0);
     plan_remap(plan_);
-    remap_block(plan_, depth_, scratch_);
-    store_block(b, value, state_.depth_m);
+    remap_batch(plan_, depth_, scratch_);
+    store_batch(b, value, state_.depth_m);
   }
 
-  void move_layer(const Block& b, int layer) {
+  void move_layer(const LineBatch& b, int layer) {
     const std::size_t s = static_cast<std::size_t>(plan_.step);
     const std::size_t inner = plan_.edge.size() - 2 * s;
     const float* middle = middle_[at(layer)].data();
@@ -111,16 +111,16 @@ class PlainPaintMover {
     for (int c = 0; c < state_.channels; ++c) {
       if (!present_[at(layer * state_.channels + c)]) continue;
       Field<float>& plane = state_.channel(layer, c);
-      load_block(b, plane, value);
-      if (layer == 0) hold_residue(value);
-      remap_block(plan_, amount_, scratch_);
+      load_batch(b, plane, value);
+      if (layer == 0) split_residue(value);
+      remap_batch(plan_, amount_, scratch_);
       if (layer == 0)
         for (std::size_t i = 0; i < held_.size(); ++i) value[i] += held_[i];
-      store_block(b, value, plane);
+      store_batch(b, value, plane);
     }
   }
 
-  void hold_residue(float* value) {
+  void split_residue(float* value) {
     for (std::size_t i = 0; i < held_.size(); ++i) {
       const float free = std::min(rounded(value[i] * share_[i], amount_.rounder), value[i]);
       held_[i] = value[i] - free;
@@ -129,9 +129,9 @@ class PlainPaintMover {
   }
 
   // Tells the follower where the edges go: of the depth (0) or of layer `quantity` - 1.
-  void record(const Block& b, int quantity) {
-    if (in_.follower == nullptr) return;
-    PaintEdges& edges = in_.follower->edges();
+  void record(const LineBatch& b, int quantity) {
+    if (in_.listener == nullptr) return;
+    PaintEdges& edges = in_.listener->edges();
     Field<float>& plane = (axis_ == Axis::kX ? edges.x : edges.y)[at(quantity)];
     for_inner_edges(b, [&](int first, int n, int x, int y) {
       std::copy_n(plan_.edge.data() + first, n, plane.row(y) + x);
@@ -152,9 +152,9 @@ class PlainPaintMover {
   std::vector<std::vector<float>> layer_, middle_;
 };
 
-inline void move_paint_in_blocks(CanvasState& state, const StepInput& in, Axis axis,
-                                 const Tiles& tiles) {
-  for_blocks(tiles, axis, in.threads, [&](int begin, int end, const auto& block_at) {
+inline void advect_paint_in_batches(CanvasState& state, const StepInput& in, Axis axis,
+                                    const SleepTiles& tiles) {
+  for_batches(tiles, axis, in.threads, [&](int begin, int end, const auto& block_at) {
     PlainPaintMover mover(state, in, axis);
     for (int k = begin; k < end; ++k) mover.move(block_at(k));
   });

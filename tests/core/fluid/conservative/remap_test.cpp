@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/fluid/conservative/crowd_limit.h"
-#include "core/fluid/conservative/quantum.h"
-#include "core/fluid/conservative/remap_momentum.h"
+#include "core/fluid/conservative/advection/crowd_limit.h"
+#include "core/fluid/conservative/advection/remap_momentum.h"
+#include "core/fluid/conservative/tiles/quantum.h"
 
 namespace pentimento::conservative {
 namespace {
@@ -24,7 +24,7 @@ std::vector<float> moved(const std::vector<float>& value, const std::vector<floa
   RemapScratch scratch;
   scratch.resize(n, step);
   std::copy(value.begin(), value.end(), scratch.cells(scratch.value, step));
-  remap_block(plan, {superbee, rounder_for(quantum)}, scratch);
+  remap_batch(plan, {superbee, rounder_for(quantum)}, scratch);
   const float* out = scratch.cells(scratch.value, step);
   return {out, out + n};
 }
@@ -107,7 +107,7 @@ TEST(Remap, KeepsAUniformVelocityUniform) {
     scratch.cells(scratch.value, 1)[i] = 0.01f * static_cast<float>(1 + i % 4);
     scratch.cells(scratch.momentum, 1)[i] = 0.25f;
   }
-  remap_momentum_block(plan, {}, scratch);
+  remap_momentum_batch(plan, {}, scratch);
   for (int i = 1; i < 30; ++i)
     EXPECT_NEAR(scratch.cells(scratch.momentum, 1)[i], 0.25f, 1e-6f) << i;
 }

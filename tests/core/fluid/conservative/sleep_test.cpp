@@ -59,15 +59,78 @@ TEST(Sleep, ThinPaintRunsUnderTiltAndStopsWhenItThinsOut) {
   EXPECT_GT(lowest_wet, 116 + 5);
 }
 
+std::vector<int> awake_tiles(const Basin& b) {
+  std::vector<int> awake;
+  for (std::size_t tile = 0; tile < b.state.sleep.size() / kSleepValues; ++tile)
+    if (b.state.sleep[tile * kSleepValues + kAsleep] == 0) awake.push_back(static_cast<int>(tile));
+  return awake;
+}
+
 TEST(Sleep, AStampWakesOnlyWhatItTouches) {
   Basin b = blob(0.01f, 28);
   steps_until_asleep(b, 10);
-  b.contact.weight(16, 16) = 1;
-  b.contact.touch_rows(16, 17);
+  // In tile 6 of row 4, each of 32 x 32 cells and 8 of them in a row.
+  b.contact.weight(210, 150) = 1;
+  b.contact.touch_rows(150, 151);
   EXPECT_TRUE(b.step());
-  EXPECT_NEAR(b.statistic("awake_share_max"), 1.0, 0);  // the first step
-  EXPECT_TRUE(b.step());                                // found at rest
+  EXPECT_EQ(awake_tiles(b), (std::vector<int>{4 * 8 + 6}));
+  EXPECT_TRUE(b.step());  // found at rest
+  EXPECT_EQ(awake_tiles(b), (std::vector<int>{}));
   EXPECT_FALSE(b.step());
+}
+
+/// A bare canvas of cells of 1 mm by 2 mm, asleep, in 8 x 8 tiles of 16 x 8 cells.
+class WakeTest : public ::testing::Test {
+ protected:
+  WakeTest() : b_({128, 64, 0.128, 0.128}) {
+    b_.model.sleep_tile_m = 0.016f;
+    b_.steps(2);
+  }
+  static int at(int column, int row) { return row * 8 + column; }
+  std::vector<int> wake() {
+    SleepTiles tiles(b_.state.geometry, b_.model.sleep_tile_m);
+    tiles.wake(b_.state, {b_.model, b_.gravity_m_s2, b_.dt_s, b_.contact, b_.amount, b_.pool});
+    clear(b_.contact);
+    return tiles.awake_tiles();
+  }
+  std::vector<int> wake_by_stamp(int x, int y, float push_x_m, float push_y_m) {
+    b_.contact.weight(x, y) = 1;
+    b_.contact.push_x_m(x, y) = push_x_m;
+    b_.contact.push_y_m(x, y) = push_y_m;
+    b_.contact.touch_rows(y, y + 1);
+    return wake();
+  }
+
+  Basin b_;
+};
+using List = std::vector<int>;
+
+// Tile (2, 3) is that of columns 32 to 47 and rows 24 to 31. Cell x and its next one to the right
+// (below) count, and three cells more on each side.
+TEST_F(WakeTest, AStampReachesThreeCells) {
+  EXPECT_EQ(wake(), List{});
+  EXPECT_EQ(wake_by_stamp(35, 27, 0, 0), (List{at(2, 3)}));
+  EXPECT_EQ(wake_by_stamp(34, 27, 0, 0), (List{at(1, 3), at(2, 3)}));
+  EXPECT_EQ(wake_by_stamp(43, 27, 0, 0), (List{at(2, 3)}));
+  EXPECT_EQ(wake_by_stamp(44, 27, 0, 0), (List{at(2, 3), at(3, 3)}));
+  EXPECT_EQ(wake_by_stamp(40, 26, 0, 0), (List{at(2, 2), at(2, 3)}));
+  EXPECT_EQ(wake_by_stamp(40, 28, 0, 0), (List{at(2, 3), at(2, 4)}));
+}
+
+TEST_F(WakeTest, APushReachesAsFarAsItPushes) {
+  // 8.5 mm are 8 cells along x, 9 mm are 4 along y, and three more.
+  EXPECT_EQ(wake_by_stamp(40, 27, 0.0005f, 0), (List{at(2, 3)}));
+  EXPECT_EQ(wake_by_stamp(40, 27, -0.0085f, 0), (List{at(1, 3), at(2, 3), at(3, 3)}));
+  EXPECT_EQ(wake_by_stamp(40, 30, 0, 0.009f), (List{at(2, 2), at(2, 3), at(2, 4)}));
+}
+
+TEST_F(WakeTest, PaintThatMovesReachesAsFarAsItComesInAStep) {
+  b_.state.sleep[static_cast<std::size_t>(at(2, 3)) * kSleepValues + kAsleep] = 0;
+  b_.state.velocity_y_m_s(40, 30) = 0.009f / b_.dt_s;  // 4.5 cells
+  EXPECT_EQ(wake(), (List{at(2, 2), at(2, 3), at(2, 4)}));
+  b_.state.velocity_y_m_s(40, 30) = 0;
+  b_.state.velocity_x_m_s(40, 27) = 0.0085f / b_.dt_s;  // 8.5 cells
+  EXPECT_EQ(wake(), (List{at(1, 3), at(2, 3), at(3, 3)}));
 }
 
 TEST(Sleep, GravityWakesPaintThatFeelsIt) {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "core/base/random.h"
 #include "core/fluid/paper/paper_scheme.h"
-#include "core/math/random.h"
 
 namespace pentimento::paper {
 
@@ -31,14 +31,17 @@ inline bool within(const Field<float>& f, float low, float high) {
   return true;
 }
 
-/// A canvas, its scheme and what drives them. Cells of Table 1 unless `size_m` says otherwise.
+/// A canvas, its scheme and what drives them. Cells of Table 1 unless a geometry says otherwise.
 struct TestCanvas {
   TestCanvas(int width, int height, int layers = 2, int channels = 2, int thread_count = 1)
+      : TestCanvas({width, height, width / 1024.0, height / 768.0}, layers, channels,
+                   thread_count) {}
+  explicit TestCanvas(const CanvasGeometry& geometry, int layers = 2, int channels = 2,
+                      int thread_count = 1)
       : threads(thread_count),
-        contact(make_brush_contact(width, height)),
+        contact(make_brush_contact(geometry.width, geometry.height)),
         amount(static_cast<std::size_t>(channels), 1.0f),
-        state(make_canvas_state({width, height, width / 1024.0, height / 768.0}, layers, channels,
-                                3, 0.9f)),
+        state(make_canvas_state(geometry, layers, channels, 3, 0.9f)),
         scheme(state.geometry, layers, channels) {}
 
   bool step() { return scheme.step(state, {model, gravity, dt_s, contact, amount, threads}); }

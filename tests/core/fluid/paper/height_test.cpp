@@ -77,6 +77,38 @@ TEST(HeightSystem, KeepsItsDiagonalDominantOnAnyRelief) {
   }
 }
 
+TEST(HeightSystem, CountsEachAxisInItsOwnCells) {
+  // Cells of 1 mm by 2 mm, dt = 0.1 s, g = 10 m/s^2: G dt^2 = 0.1 m. A film of 1 mm gives
+  // G dt^2 d / dx^2 = 100 and 25 along y. The relief rises by 1/10 along x and 1/5 along y:
+  // G dt^2 b_x / 2 dx = 5, and 5 along y.
+  const CanvasGeometry geometry{3, 3, 0.003, 0.006};
+  TestCanvas canvas(geometry);
+  canvas.gravity = {0, 0, 10};
+  canvas.dt_s = 0.1f;
+  canvas.flood(0.001f, 0);
+  Planes p = make_planes(3, 3, 1);
+  p.mobility_frac.fill(1);
+  for (int y = 0; y < 3; ++y)
+    for (int x = 0; x < 3; ++x) {
+      canvas.state.base_m(x, y) = 1e-4f * static_cast<float>(x) + 4e-4f * static_cast<float>(y);
+      p.u_m_s[0](x, y) = 0.01f * static_cast<float>(x);  // u~_x = 10 and v~_y = 10 1/s
+      p.v_m_s[0](x, y) = 0.02f * static_cast<float>(y);
+    }
+  p.system.centre.fill(0.05f);
+  const StepConstants k = make_step_constants(
+      geometry,
+      {canvas.model, canvas.gravity, canvas.dt_s, canvas.contact, canvas.amount, canvas.threads});
+  build_height_system_row(k, canvas.state, 1, {0, 3}, p);
+  const float diagonal = 1 + 2 * (100 + 25);
+  EXPECT_NEAR(p.system.left(1, 1) * diagonal, 105, 2e-3f);  // a few roundings of a float
+  EXPECT_NEAR(p.system.right(1, 1) * diagonal, 95, 2e-3f);
+  EXPECT_NEAR(p.system.up(1, 1) * diagonal, 30, 2e-3f);
+  EXPECT_NEAR(p.system.down(1, 1) * diagonal, 20, 2e-3f);
+  // h~ + dt (u~ b_x + v~ b_y) - dt d (u~_x + v~_y), u~ = 0.01 and v~ = 0.02 m/s in the middle.
+  EXPECT_NEAR(p.system.centre(1, 1) * diagonal,
+              0.05f + 0.1f * (0.01f * 0.1f + 0.02f * 0.2f) - 0.1f * 0.001f * 20, 1e-7f);
+}
+
 TEST(HeightSystem, ConvergingFlowRaisesTheFilm) {
   TestCanvas canvas(5, 3);
   canvas.flood(0.01f, 0);

@@ -34,8 +34,8 @@ struct Edge {
                        canvas.contact, canvas.amount,  canvas.threads};
     const StepConstants k = make_step_constants(canvas.state.geometry, in);
     for (int y = 0; y < 3; ++y)
-      loosen_row(canvas.state, canvas.amount, residue, y, {0, 48}, planes);
-    trace_pigment_row(k, canvas.state, layer, u.data(), v.data(), 1, {0, 48}, planes);
+      find_free_row(canvas.state, canvas.amount, residue, y, {0, 48}, planes);
+    advect_pigment_row(k, canvas.state, layer, u.data(), v.data(), 1, {0, 48}, planes);
     return planes.pigment[0](x, 1);
   }
   TestCanvas canvas;

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/math/approx.h"
+#include "core/base/approx.h"
 #include "tests/core/fluid/paper/canvases.h"
 
 namespace pentimento::paper {

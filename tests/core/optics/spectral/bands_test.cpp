@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/optics/viewing.h"
+#include "core/model/viewing.h"
 #include "tests/core/optics/spectral/library_mixtures.h"
 
 namespace pentimento {

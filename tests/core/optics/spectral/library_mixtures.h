@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/optics/kubelka_munk.h"
-#include "core/optics/paint_maker.h"
-#include "core/optics/pigment_library.h"
+#include "core/optics/paints/paint_maker.h"
+#include "core/optics/paints/pigment_library.h"
 #include "core/optics/spectral/band_weights.h"
 #include "core/optics/spectral/ciede2000.h"
 

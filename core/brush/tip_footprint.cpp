@@ -1,0 +1,232 @@
+#include "core/brush/tip_footprint.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/base/kernel.h"
+
+namespace pentimento {
+
+namespace {
+constexpr int kMostFootprints = 8;
+constexpr float kTexelsPerCell = 3;
+constexpr int kRim = 2;  // zeros that positions outside are led to
+
+PENTIMENTO_KERNEL
+void blend_row(const float* a, const float* b, float frac, int n, float* __restrict out) {
+  for (int i = 0; i < n; ++i) out[i] = a[i] + frac * (b[i] - a[i]);
+}
+
+PENTIMENTO_KERNEL
+void multiply_row(float by, int n, float* __restrict out) {
+  for (int i = 0; i < n; ++i) out[i] *= by;
+}
+
+/// out += the mean of four neighbours, weighted.
+PENTIMENTO_KERNEL
+void add_shifted_row(const float* top, const float* bottom, const float* w, int n,
+                     float* __restrict out) {
+  const float a = w[0], b = w[1], c = w[2], d = w[3];
+  for (int i = 0; i < n; ++i)
+    out[i] += (a * top[i] + b * top[i + 1]) + (c * bottom[i] + d * bottom[i + 1]);
+}
+
+/// out[i] = sum of weight[j] in[i + j]
+PENTIMENTO_KERNEL
+void filter_row(const float* in, const float* weight, int taps, int n, float* __restrict out) {
+  for (int i = 0; i < n; ++i) out[i] = weight[0] * in[i];
+  for (int j = 1; j < taps; ++j)
+    for (int i = 0; i < n; ++i) out[i] += weight[j] * in[i + j];
+}
+
+PENTIMENTO_KERNEL
+void add_weighted_row(float weight, const float* in, int n, float* __restrict out) {
+  for (int i = 0; i < n; ++i) out[i] += weight * in[i];
+}
+
+/// The share that a box of `width` texels takes of each texel around its middle texel.
+std::vector<float> box_weights(float width) {
+  const float half = 0.5f * width;
+  const int reach = static_cast<int>(std::ceil(half - 0.5f));
+  std::vector<float> weight;
+  for (int i = -reach; i <= reach; ++i) {
+    const float at = std::abs(static_cast<float>(i));
+    weight.push_back(std::clamp(half - at + 0.5f, 0.0f, 1.0f) / width);
+  }
+  if (reach == 0) weight[0] = 1;
+  return weight;
+}
+
+/// Cuts [begin, end) to about where |at + step i| < half; keeps a few cells more, against rounding.
+void cut_to(float at, float step, float half, TipFootprint::CellSpan& cells) {
+  if (step < 0) {
+    at = -at;
+    step = -step;
+  }
+  const float length = static_cast<float>(cells.end);
+  if (step * length < 1e-3f) {  // a row along the tip's other axis
+    if (std::abs(at) > half) cells.end = cells.begin;
+    return;
+  }
+  const float begin = std::clamp((-half - at) / step - 2, -1.0f, length);
+  const float end = std::clamp((half - at) / step + 3, 0.0f, length);
+  cells.begin = std::max(cells.begin, static_cast<int>(begin));
+  cells.end = std::min(cells.end, static_cast<int>(end));
+}
+
+/// Positions of a row of cells in the map, in texels.
+struct MapRow {
+  float x0, y0, dx, dy;
+  float last_x, last_y;  // the last positions that have a neighbour
+};
+
+PENTIMENTO_KERNEL
+void read_row(const float* map, int stride, const MapRow& at, int first, int n,
+              float* __restrict out) {
+  constexpr float kFaintest = 1e-3f;
+  const MapRow r = at;
+  for (int i = 0; i < n; ++i) {
+    const float x = r.x0 + r.dx * static_cast<float>(first + i);
+    const float y = r.y0 + r.dy * static_cast<float>(first + i);
+    const float cx = std::min(std::max(x, 0.0f), r.last_x);
+    const float cy = std::min(std::max(y, 0.0f), r.last_y);
+    const int ix = static_cast<int>(cx), iy = static_cast<int>(cy);
+    const float fx = cx - static_cast<float>(ix), fy = cy - static_cast<float>(iy);
+    const int p = iy * stride + ix;
+    const float top = map[p] + fx * (map[p + 1] - map[p]);
+    const float bottom = map[p + stride] + fx * (map[p + stride + 1] - map[p + stride]);
+    const float value = top + fy * (bottom - top);
+    out[i] = value < kFaintest ? 0.0f : value;
+  }
+}
+
+/// Makes a map of at least size x size values and sets those to zero. A larger map stays, so that
+/// stamp after stamp needs no new memory.
+void make_room(Field<float>& map, int size) {
+  if (map.width() < size) {
+    map = Field<float>(size, size);
+    return;
+  }
+  for (int y = 0; y < size; ++y) std::fill_n(map.row(y), size, 0.0f);
+}
+}  // namespace
+
+/// The pressed and dried tip, with the margin around it.
+void TipFootprint::blend(const TipLevel& level) {
+  const int start = margin_ - 1;  // the tip's own maps have a rim of one zero
+  for (int j = 0; j < size_ + 2; ++j) {
+    float* out = still_.row(start + j) + start;
+    blend_row(level.low->padded_row(j), level.high->padded_row(j), level.frac, size_ + 2, out);
+    if (level.supply_low == nullptr) continue;
+    const float v = (static_cast<float>(j) - 0.5f) / static_cast<float>(size_) - 0.5f;
+    const float few = level.supply_low->at(v);
+    multiply_row(few + level.supply_frac * (level.supply_high->at(v) - few), size_ + 2, out);
+  }
+}
+
+/// map(x) += weight still(x + shift)
+void TipFootprint::add_footprint(float u_texels, float v_texels, float weight) {
+  const float fu = std::floor(u_texels), fv = std::floor(v_texels);
+  const int iu = static_cast<int>(fu), iv = static_cast<int>(fv);
+  const float tu = u_texels - fu, tv = v_texels - fv;
+  const float w[4] = {weight * (1 - tu) * (1 - tv), weight * tu * (1 - tv), weight * (1 - tu) * tv,
+                      weight * tu * tv};
+  const int width = width_;
+  const int x0 = std::max(kRim, -iu), x1 = std::min(width - kRim, width - 1 - iu);
+  const int y0 = std::max(kRim, -iv), y1 = std::min(width - kRim, width - 1 - iv);
+  for (int y = y0; y < y1; ++y)
+    add_shifted_row(still_.row(y + iv) + x0 + iu, still_.row(y + iv + 1) + x0 + iu, w, x1 - x0,
+                    map_.row(y) + x0);
+}
+
+/// map = still * box of `texels`.
+void TipFootprint::average(float texels) {
+  const std::vector<float> weight = box_weights(texels);
+  const int taps = static_cast<int>(weight.size()), reach = taps / 2;
+  const int width = width_, n = width - 2 * reach;
+  for (int y = reach; y < width - reach; ++y) {
+    filter_row(still_.row(y), weight.data(), taps, n, map_.row(y) + reach);
+  }
+  std::swap(still_, map_);
+  make_room(map_, width_);
+  for (int y = reach; y < width - reach; ++y)
+    for (int j = 0; j < taps; ++j)
+      add_weighted_row(weight[static_cast<std::size_t>(j)], still_.row(y + j - reach), width,
+                       map_.row(y));
+}
+
+/// `u_texels`: how far the map reaches beyond the tip itself.
+void TipFootprint::find_halves(const TipExtent& extent, float u_texels, float v_texels) {
+  constexpr float kAround = 2.5f;  // half a texel of the tip's, a bilinear step or two, rounding
+  const float half = 0.5f * static_cast<float>(size_);
+  half_u_ = half * extent.u + u_texels + kAround;
+  half_v_ = half * extent.v + v_texels + kAround;
+}
+
+void TipFootprint::draw_cells(const StampPlan& plan, float cell_m) {
+  const TipLevel level = stamp_tip_level(plan, cell_m / kTexelsPerCell);
+  size_ = level.low->size();
+  const float texels = cell_m / plan.pose.diameter_m * static_cast<float>(size_);
+  const float box = std::sqrt(std::max(0.0f, texels * texels - 3));
+  margin_ = kRim + 1 + static_cast<int>(std::ceil(box)) + 1;
+  width_ = size_ + 2 * margin_;
+  make_room(still_, width_);
+  make_room(map_, width_);
+  find_halves(plan.extent, box, box);
+  blend(level);
+  if (box > 0) {
+    average(box);
+  } else {
+    std::swap(still_, map_);
+  }
+}
+
+void TipFootprint::draw_swept(const StampPlan& plan, float cell_m) {
+  const TipLevel level = stamp_tip_level(plan, cell_m);
+  size_ = level.low->size();
+  const float travel_m = plan.stamp.travel_m;
+  const int prints = std::max(
+      1, static_cast<int>(std::min(travel_m / cell_m, static_cast<float>(kMostFootprints))));
+  const Vec2f way = plan.stamp.direction;
+  const float step_m = travel_m / static_cast<float>(prints) * static_cast<float>(size_);
+  const float du = step_m * (plan.pose.u_x * way.x + plan.pose.u_y * way.y);
+  const float dv = step_m * (plan.pose.v_x * way.x + plan.pose.v_y * way.y);
+  const float first = -0.5f * static_cast<float>(prints - 1);
+  const float reach = std::max(std::abs(first * du), std::abs(first * dv));
+  margin_ = kRim + 2 + static_cast<int>(reach);
+  width_ = size_ + 2 * margin_;
+  make_room(still_, width_);
+  find_halves(plan.extent, std::abs(first * du), std::abs(first * dv));
+  blend(level);
+  if (prints == 1) {
+    std::swap(still_, map_);
+    return;
+  }
+  make_room(map_, width_);
+  for (int i = 0; i < prints; ++i) {
+    const float at = first + static_cast<float>(i);
+    add_footprint(at * du, at * dv, 1 / static_cast<float>(prints));
+  }
+}
+
+TipFootprint::CellSpan TipFootprint::touched_span(const TipRow& tip, int first, int last) const {
+  const float size = static_cast<float>(size_);
+  CellSpan cells{first, last};
+  cut_to(tip.u0 * size, tip.du * size, half_u_, cells);
+  cut_to(tip.v0 * size, tip.dv * size, half_v_, cells);
+  cells.end = std::max(cells.begin, cells.end);
+  return cells;
+}
+
+void TipFootprint::row(const TipRow& tip, int first, std::span<float> out) const {
+  const float size = static_cast<float>(size_);
+  const float middle = 0.5f * size - 0.5f + static_cast<float>(margin_);
+  const float last = static_cast<float>(width_ - 2);
+  read_row(
+      map_.row(0), static_cast<int>(map_.view().stride()),
+      {tip.u0 * size + middle, tip.v0 * size + middle, tip.du * size, tip.dv * size, last, last},
+      first, static_cast<int>(out.size()), out.data());
+}
+
+}  // namespace pentimento

@@ -1,0 +1,83 @@
+#pragma once
+// The detail follower does on the detail canvas what happens on the guide: the same stamps, the
+// same flow, and the lock after each step. The guide does not depend on it, so a log gives one
+// sequence of states, whatever the output's size.
+
+#include <cstdint>
+#include <vector>
+
+#include "core/base/threads.h"
+#include "core/canvas/canvas_source.h"
+#include "core/detail/lock/lock.h"
+#include "core/detail/stamp/detail_stamp.h"
+#include "core/detail/store/changed_blocks.h"
+#include "core/detail/store/detail_canvas.h"
+#include "core/detail/store/detail_checkpoint.h"
+#include "core/detail/store/released_blocks.h"
+#include "core/simulation/canvas_listener.h"
+
+namespace pentimento {
+
+struct DetailFollowerSetup {
+  CanvasGeometry guide;
+  int factor = 1;  // 1..kMostDetail
+  int layers = 1;
+  int channels = 0;
+  int bands = 3;
+  std::vector<float> amount;  // per channel: its share in the total amount (A26)
+  bool locked = true;         // false only to measure what the lock does
+};
+
+class DetailFollower : public CanvasListener {
+ public:
+  /// `substrate`, `store` and `threads` must outlive the follower. A buffer of `store` has
+  /// DetailLayout::side() squared floats.
+  DetailFollower(DetailFollowerSetup setup, const DetailSubstrate& substrate, TileStore& store,
+                 const Threads& threads);
+
+  void before_deposit(const StampPlan& plan, const CanvasState& guide) override;
+  void after_deposit(const StampPlan& plan, const CanvasState& guide) override;
+  PaintEdges& edges() override { return edges_; }
+  void moved(const CanvasState& guide, const StepInput& in,
+             const std::vector<conservative::Run>& runs) override;
+  void stepped(const CanvasState& guide, const StepInput& in) override;
+  void drying(const CanvasState& guide, const ChannelBasis& basis, const Model& model) override;
+  void cleared() override;
+  void restored(const CanvasState& guide) override;
+
+  /// Goes on from a dump, as if the replay had never stopped. `fine`: the planes of the detail
+  /// canvas; `checkpoint`: the result of checkpoint() at the dump; `guide`: the guide's state at
+  /// the dump. The detail canvas must be clear.
+  void resume(const CanvasSource& fine, const DetailCheckpoint& checkpoint,
+              const CanvasState& guide);
+  /// All that a dump needs beside the planes of canvas(). Call finish_stamps() first.
+  DetailCheckpoint checkpoint() const;
+
+  /// Does the queued stamps, so that canvas() has every stamp.
+  void finish_stamps() { stamp_.finish(); }
+  const DetailCanvas& canvas() const { return canvas_; }
+  const LockStatistics& lock_statistics() const { return lock_.statistics(); }
+
+ private:
+  void steepen_released_edges(const CanvasState& guide);
+  void add_rounded(const StepInput& in);
+  void free_idle_planes(const CanvasState& guide);
+  std::size_t rest_value(int tile) const;
+
+  DetailFollowerSetup setup_;
+  const Threads& threads_;
+  DetailCanvas canvas_;
+  DetailStamp stamp_;
+  Lock lock_;
+  PaintEdges edges_;
+  ChangedBlocks changed_;  // blocks changed since the last lock, and their neighbours
+  ReleasedBlocks released_;
+  ChangedBlocks moving_;  // blocks where paint moves in this part of a step
+  // In which step each tile was last locked; tiles locked since they were last searched for planes
+  // to free.
+  std::int64_t steps_ = 0;
+  std::vector<std::int64_t> locked_;
+  std::vector<int> idle_;
+};
+
+}  // namespace pentimento

@@ -1,0 +1,48 @@
+#pragma once
+// The guide's film in and around a box, as coefficients of two smooth surfaces (smooth_field.h):
+// the coverage, which says how far the film reaches, and the depth of the film.
+
+#include <vector>
+
+#include "core/base/field.h"
+#include "core/detail/flow/smooth_field.h"
+#include "core/detail/store/detail_layout.h"
+
+namespace pentimento {
+
+/// For a plane d of the guide (depth or a pigment), per cell:
+///   f = d / the largest d around, where one of the four cells beside it is bare; else 1, or 0 if
+///      d = 0;
+///   c: three times c <- c d / (M B(c) / B(f)), from c = d, each factor in [1/2, 2], c in
+///      [d/4, 4d];
+///      M: mean over the cell of the edge's profile m(W) (level_rows.h), W the spline of f;
+///      B: mean over the cell of the spline, (1, 76, 230, 76, 1) / 384 along each axis
+/// so that the film m(W) S, S the spline of c over W, holds about what the guide's cells hold: a
+/// spline of d itself flattens whatever is one cell wide, and the lock would bring it back cell by
+/// cell, as beads.
+/// Scheme: multiplicative deconvolution (Richardson, J. Opt. Soc. Am. 62 (1972) 55-59; Lucy 1974),
+/// without the second blur. Stable: positive, bounded. Departs from it: M is taken out of the mean
+/// of the product. Depends on d within 8 cells, and on nothing else: neighbouring boxes agree where
+/// they meet.
+class FilmSpline {
+ public:
+  static constexpr int kMargin = TileNeighbourhood::kMargin;  // cells with coefficients around it
+  FilmSpline(const Field<float>& plane, const CellBox& box);
+  /// f and c of a cell of the guide, at most kMargin outside the box. Cells beyond the canvas
+  /// repeat the outermost cells.
+  float coverage(int x, int y) const { return coverage_[at(x, y)]; }
+  float film(int x, int y) const { return film_[at(x, y)]; }
+
+ private:
+  std::size_t at(int x, int y) const {
+    return static_cast<std::size_t>((y - y0_) * width_ + x - x0_);
+  }
+  float profile_mean(std::size_t cell) const;
+  void sharpen(const std::vector<float>& held, const std::vector<float>& profile,
+               const std::vector<float>& spread, int margin);
+
+  int x0_, y0_, width_, height_;
+  std::vector<float> coverage_, film_;
+};
+
+}  // namespace pentimento

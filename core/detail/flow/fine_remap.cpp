@@ -1,0 +1,75 @@
+#include "core/detail/flow/fine_remap.h"
+
+#include <algorithm>
+
+#include "core/base/kernel.h"
+#include "core/fluid/conservative/advection/limiter.h"
+
+namespace pentimento {
+
+namespace {
+/// part(i, s) of each edge (fine_remap.h).
+PENTIMENTO_KERNEL
+void find_parts(const int* cell, const float* share, const float* m, int edges,
+                float* __restrict part) {
+  for (int j = 0; j < edges; ++j) {
+    const int i = cell[j];
+    const float s = share[j];
+    const float slope = conservative::limited_mc(m[i] - m[i - 1], m[i + 1] - m[i]);
+    part[j] = s * (m[i] - 0.5f * slope * (1 - s));
+  }
+}
+
+/// The amount between two edges, for cells whose edges come from at most two cells apart.
+PENTIMENTO_KERNEL
+void sum_between(const int* cell, const float* m, const float* part, int cells,
+                 float* __restrict out) {
+  for (int j = 0; j < cells; ++j) {
+    const int i = cell[j], apart = cell[j + 1] - i;
+    float sum = part[j + 1] - part[j];
+    sum += apart > 0 ? m[i] : 0.0f;
+    sum += apart > 1 ? m[i + 1] : 0.0f;
+    out[j] = sum > 0 ? sum : 0.0f;
+  }
+}
+
+float sum_far(const float* m, int from, int to, float sum) {
+  for (int i = from; i < to; ++i) sum += m[i];
+  return sum > 0 ? sum : 0.0f;
+}
+}  // namespace
+
+void find_sources(std::span<const float> position, FineSources& sources) {
+  const std::size_t edges = position.size();
+  sources.cell.resize(edges);
+  sources.share.resize(edges);
+  sources.most = 0;
+  std::size_t i = 0;
+  for (std::size_t j = 0; j + 1 < edges; ++j) {
+    const float at = static_cast<float>(j);
+    while (i + 2 < edges && position[i + 1] <= at) ++i;
+    const float share = (at - position[i]) / (position[i + 1] - position[i]);
+    sources.cell[j] = static_cast<int>(i);
+    sources.share[j] = share < 0 ? 0.0f : share > 1 ? 1.0f : share;
+    if (j > 0) sources.most = std::max(sources.most, sources.cell[j] - sources.cell[j - 1]);
+  }
+  sources.cell[edges - 1] = static_cast<int>(edges) - 2;
+  sources.share[edges - 1] = 1;
+  if (edges > 1)
+    sources.most = std::max(sources.most, sources.cell[edges - 1] - sources.cell[edges - 2]);
+}
+
+void remap_line(const FineSources& sources, std::span<const float> amount, std::span<float> part,
+                std::span<float> out) {
+  const float* m = amount.data() + 1;
+  const int cells = static_cast<int>(out.size());
+  const int* cell = sources.cell.data();
+  // Near cells in whole vectors; then the few whose edges come from further apart.
+  find_parts(cell, sources.share.data(), m, cells + 1, part.data());
+  sum_between(cell, m, part.data(), cells, out.data());
+  if (sources.most <= 2) return;
+  for (std::size_t j = 0; j < out.size(); ++j)
+    if (cell[j + 1] - cell[j] > 2) out[j] = sum_far(m, cell[j], cell[j + 1], part[j + 1] - part[j]);
+}
+
+}  // namespace pentimento

@@ -1,0 +1,88 @@
+#pragma once
+// The lock: it makes every block of fine cells hold, in depth and in every pigment, just what the
+// guide's cell holds. First it scales by a field of ratios that is interpolated between cells, so
+// that no block shows. Then it scales what is still off block by block.
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/base/threads.h"
+#include "core/detail/lock/uncovered_blocks.h"
+#include "core/detail/store/changed_blocks.h"
+#include "core/detail/store/detail_canvas.h"
+
+namespace pentimento {
+
+/// How far the blocks were off before the lock: counts of |guide / detail - 1| by bins, over depth
+/// and pigments.
+struct LockStatistics {
+  static constexpr std::array<float, 7> kBound = {0.001f, 0.003f, 0.01f, 0.03f, 0.1f, 0.3f, 1.0f};
+  std::array<std::int64_t, 8> blocks{};  // the last bin: beyond all bounds
+  std::int64_t owed = 0;                 // uncovered blocks
+};
+
+class Lock {
+ public:
+  Lock(const DetailLayout& layout, int layers);
+
+  /// Locks the blocks of `strips` (ChangedBlocks::strips()) to the guide; all others are locked
+  /// already.
+  ///   3 times: r = guide / block mean, 1 where either is 0 or r beyond [1/2, 2];
+  ///            value *= bilinear r
+  ///   then value *= guide / block mean, whatever that is; blocks that owe more than 16 times what
+  ///   they hold are filled (uncovered_blocks.h)
+  /// This is done for each layer of a pigment. In mismatched blocks (open_cells.h) it is done for
+  /// the sum over the layers, with one ratio for all.
+  /// Scheme: multiplicative, so nothing becomes negative and bare cells stay bare.
+  /// Stable: the last ratio is exact; the first are bounded.
+  /// Source: docs/fidelity.md. Departs from it: blocks outside the list count as ratio 1, so list
+  /// the neighbours of what changed.
+  void lock(DetailCanvas& canvas, const CanvasState& guide, const std::vector<BlockStrip>& strips,
+            const Threads& threads);
+
+  const LockStatistics& statistics() const { return statistics_; }
+
+ private:
+  /// What is locked together: the depth alone, or one pigment in all its layers.
+  using Group = std::vector<WetPlane>;
+  struct Job;
+  /// Blocks [x0, x1) of a row in an existing tile.
+  struct Strip {
+    BlockStrip at;
+    DetailTile* tile = nullptr;
+    std::size_t first = 0;  // index of its first block in the tables
+  };
+  struct Target {
+    float wanted = 0, held = 0;
+  };
+  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+  std::span<float> held_of(std::size_t plane, const Strip& strip) {
+    return {held_.data() + plane * blocks_ + strip.first, at(strip.at.blocks())};
+  }
+  void list(DetailCanvas& canvas, const std::vector<BlockStrip>& strips);
+  template <typename Body>
+  void for_strips(const Job& job, const Body& body);
+  void lock_group(const Job& job, const Group& group);
+  void smooth(const Job& job, const WetPlane& q, std::size_t plane, const Strip& strip, int pass);
+  Target target_of(const Job& job, const Group& group, std::size_t plane, const Strip& strip,
+                   int block) const;
+  void find_ratios(const Job& job, const Group& group, std::size_t s, int pass);
+  void make_exact(const Job& job, const Group& group, std::size_t s);
+  void fill_uncovered_blocks(const Job& job, const Group& group);
+
+  std::vector<Strip> strips_;
+  std::size_t blocks_ = 0;
+  // Per plane of a group, planes of the guide's size; all 1 between calls. Smooth passes read one
+  // and write the other in turn.
+  std::array<std::vector<Field<float>>, 2> ratio_;
+  std::vector<float> held_;          // mean of each block, plane after plane of a group
+  std::vector<std::uint8_t> split_;  // per block: 1 if mismatched
+  std::vector<std::uint8_t> off_;    // per strip: 1 if it has a ratio that is not 1
+  std::vector<LockStatistics> counted_;
+  std::vector<std::vector<UncoveredBlock>> uncovered_;
+  LockStatistics statistics_;
+};
+
+}  // namespace pentimento

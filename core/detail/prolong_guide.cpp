@@ -1,0 +1,63 @@
+#include "core/detail/prolong_guide.h"
+
+#include <algorithm>
+
+#include "core/detail/store/block_rows.h"
+
+namespace pentimento {
+
+namespace {
+/// The guide's plane, bilinear, in the tile's cells.
+void enlarge(const Field<float>& guide, DetailCanvas& canvas, const DetailTile& tile,
+             TilePlane& plane) {
+  const int side = canvas.layout().side();
+  if (!plane && !canvas.make(plane)) return;
+  std::fill_n(plane.data(), static_cast<std::size_t>(side) * static_cast<std::size_t>(side), 1.0f);
+  std::vector<float> mean(static_cast<std::size_t>(tile.box.width()));
+  for (int y = tile.box.y0; y < tile.box.y1; ++y)
+    scale_by_field(
+        ratio_rows(guide, tile.box.x0, y),
+        block_row(plane.data(), canvas.layout(), {tile.tile, y, tile.box.x0, tile.box.x1}), mean);
+}
+
+bool has_dried(const CanvasState& guide, const CellBox& box) {
+  for (int y = box.y0; y < box.y1; ++y)
+    for (int x = box.x0; x < box.x1; ++x)
+      if (guide.base_m(x, y) != guide.paper_m(x, y)) return true;
+  return false;
+}
+
+void restore_dry(const CanvasState& guide, const Field<float>& dried_m, DetailCanvas& canvas,
+                 int index) {
+  DetailTile& tile = canvas.at(index);
+  const int side = canvas.layout().side();
+  TilePlane dried;
+  enlarge(dried_m, canvas, tile, dried);
+  if (!dried || !tile.base_m) return;
+  for (int i = 0; i < side * side; ++i) tile.base_m.data()[i] += dried.data()[i];
+  tile.reflectance.resize(guide.reflectance.size());
+  for (std::size_t band = 0; band < guide.reflectance.size(); ++band)
+    enlarge(guide.reflectance[band], canvas, tile, tile.reflectance[band]);
+}
+}  // namespace
+
+void prolong_guide(DetailCanvas& canvas, const CanvasState& guide, const Threads& threads) {
+  const DetailLayout& layout = canvas.layout();
+  Field<float> dried_m(guide.geometry.width, guide.geometry.height);
+  for (int y = 0; y < dried_m.height(); ++y)
+    for (int x = 0; x < dried_m.width(); ++x)
+      dried_m(x, y) = guide.base_m(x, y) - guide.paper_m(x, y);
+  threads.for_ranges(0, layout.tiles(), 4, [&](int begin, int end) {
+    for (int t = begin; t < end; ++t) {
+      if (has_dried(guide, layout.box(t))) restore_dry(guide, dried_m, canvas, t);
+      canvas.ensure_planes(t, guide);
+      DetailTile* tile = canvas.find(t);
+      if (tile == nullptr) continue;
+      if (tile->depth_m) enlarge(guide.depth_m, canvas, *tile, tile->depth_m);
+      for (std::size_t p = 0; p < tile->pigment.size(); ++p)
+        if (tile->pigment[p]) enlarge(guide.pigment[p], canvas, *tile, tile->pigment[p]);
+    }
+  });
+}
+
+}  // namespace pentimento

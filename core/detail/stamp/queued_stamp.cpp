@@ -1,0 +1,93 @@
+#include "core/detail/stamp/queued_stamp.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pentimento {
+
+namespace {
+FootprintBox cells_of(const StampPlan& plan, const CanvasGeometry& fine, int factor) {
+  FootprintBox box = box_of(plan.pose, plan.extent, fine);
+  const int x1 = std::max(box.x + box.width, (plan.box.x + plan.box.width) * factor);
+  const int y1 = std::max(box.y + box.height, (plan.box.y + plan.box.height) * factor);
+  box.x = std::min(box.x, plan.box.x * factor);
+  box.y = std::min(box.y, plan.box.y * factor);
+  box.width = x1 - box.x;
+  box.height = y1 - box.y;
+  return box;
+}
+
+/// The amount of pigment in each layer of a cell of the guide.
+void find_totals(const CanvasState& guide, std::span<const float> amount, int x, int y,
+                 std::span<float> total) {
+  for (int layer = 0; layer < guide.layers; ++layer) {
+    float sum = 0;
+    for (int c = 0; c < guide.channels; ++c) {
+      const float share = amount[static_cast<std::size_t>(c)];
+      if (share != 0) sum += share * guide.channel(layer, c)(x, y);
+    }
+    total[static_cast<std::size_t>(layer)] = sum;
+  }
+}
+
+/// `body` for each block, with its cell of the guide.
+template <typename Body>
+void for_blocks(const CellBox& blocks, std::vector<BlockLayers>& layers, const Body& body) {
+  std::size_t i = 0;
+  for (int y = blocks.y0; y < blocks.y1; ++y)
+    for (int x = blocks.x0; x < blocks.x1; ++x) body(x, y, layers[i++]);
+}
+}  // namespace
+
+void QueuedStamp::before_deposit(const StampPlan& plan, const CanvasState& guide,
+                                 const DetailLayout& layout, std::span<const float> amount) {
+  const CanvasGeometry fine = layout.fine();
+  const int k = layout.factor();
+  plan_ = plan;
+  load_ = *plan.load;
+  plan_.load = &load_;
+  plan_.reservoir = nullptr;
+  plan_.tip = nullptr;
+  grip_ = plan.tip->grip_table();
+  ends_ = plan.tip->end_table();
+  deposits_ = false;
+  cells_ = cells_of(plan, fine, k);
+  blocks_ = {cells_.x / k, (cells_.x + cells_.width + k - 1) / k, cells_.y / k,
+             (cells_.y + cells_.height + k - 1) / k};
+  tip_.draw_swept(plan, std::sqrt(fine.dx_m() * fine.dy_m()));
+  layers_.assign(
+      static_cast<std::size_t>(blocks_.width()) * static_cast<std::size_t>(blocks_.height()), {});
+  std::vector<float> total(static_cast<std::size_t>(guide.layers));
+  for_blocks(blocks_, layers_, [&](int x, int y, BlockLayers& block) {
+    find_totals(guide, amount, x, y, total);
+    block.opens = guide.stroke(x, y) != plan.stroke_id;
+    if (block.opens) {
+      block.opening = opening_of(total);
+      block.target = static_cast<std::int8_t>(block.opening.target);
+    } else {
+      block.target = static_cast<std::int8_t>(layer_on_top(total));
+    }
+  });
+}
+
+void QueuedStamp::after_deposit(const StampPlan& plan, const CanvasState& guide) {
+  reservoir_ = *plan.reservoir;
+  plan_.reservoir = &reservoir_;
+  deposits_ = true;
+  for_blocks(blocks_, layers_, [&](int x, int y, BlockLayers& block) {
+    if (guide.stroke(x, y) == plan.stroke_id) return;
+    block.opens = false;
+    block.target = -1;
+  });
+}
+
+bool QueuedStamp::opens_in(const CellBox& part) const {
+  if (!deposits_) return false;
+  const int x0 = std::max(part.x0, blocks_.x0), x1 = std::min(part.x1, blocks_.x1);
+  for (int y = std::max(part.y0, blocks_.y0); y < std::min(part.y1, blocks_.y1); ++y)
+    for (int x = x0; x < x1; ++x)
+      if (layers_in(y)[static_cast<std::size_t>(x - blocks_.x0)].opens) return true;
+  return false;
+}
+
+}  // namespace pentimento

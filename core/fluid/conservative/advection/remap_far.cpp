@@ -1,0 +1,112 @@
+#include "core/fluid/conservative/advection/remap_far.h"
+
+#include <algorithm>
+
+#include "core/fluid/conservative/advection/limiter.h"
+#include "core/fluid/conservative/tiles/quantum.h"
+
+namespace pentimento::conservative {
+namespace {
+
+struct CellImage {
+  float begin = 0, end = 0;  // in cells along the line, begin <= end
+  bool reversed = false;
+};
+
+CellImage image_of(const FarCell& cell, int length) {
+  const auto clamped = [&](float x) { return std::clamp(x, 0.0f, static_cast<float>(length)); };
+  CellImage image;
+  image.begin = clamped(static_cast<float>(cell.at) + cell.edge_lo);
+  image.end = clamped(static_cast<float>(cell.at + 1) + cell.edge_hi);
+  image.reversed = image.end < image.begin;
+  if (image.reversed) std::swap(image.begin, image.end);
+  return image;
+}
+
+// Calls put(cell of the line, share of the amount in it) for all but the last cell the image
+// covers, then put_rest(last). The share below t of the profile m + s (t - 1/2) is
+// t + (s/m) (t^2 - t) / 2.
+template <typename Put, typename PutRest>
+void for_parts(const CellImage& image, int length, float relative_slope, const Put& put,
+               const PutRest& put_rest) {
+  const float slope = image.reversed ? -relative_slope : relative_slope;
+  const auto share_below = [&](float t) { return t + 0.5f * slope * (t * t - t); };
+  const int first = std::min(static_cast<int>(image.begin), length - 1);
+  const int last = std::min(static_cast<int>(image.end), length - 1);
+  const float extent = image.end - image.begin;
+  float below = 0;
+  for (int at = first; at < last; ++at) {
+    const float t = std::min((static_cast<float>(at + 1) - image.begin) / extent, 1.0f);
+    const float next = share_below(t);
+    put(at, next - below);
+    below = next;
+  }
+  put_rest(last);
+}
+
+float far_slope(const RemapOptions& options, float below, float above) {
+  return options.superbee ? limited_superbee(below, above) : limited_mc(below, above);
+}
+
+}  // namespace
+
+std::vector<FarCell> take_far_cells(const RemapPlan& plan, const RemapOptions& options,
+                                    const float* value) {
+  std::vector<FarCell> far;
+  for (const int i : plan.far) {
+    if (value[i] == 0) continue;
+    const float slope =
+        far_slope(options, value[i] - value[i - plan.step], value[i + plan.step] - value[i]);
+    const auto cell = static_cast<std::size_t>(i);
+    const auto next = static_cast<std::size_t>(i + plan.step);
+    far.push_back(
+        {i / plan.step, i % plan.step, plan.edge[cell], plan.edge[next], value[i], slope});
+  }
+  return far;
+}
+
+std::vector<FarCell> take_far_cells(const std::vector<int>& far, const float* edge,
+                                    const RemapOptions& options, const ThreeRows& value) {
+  std::vector<FarCell> taken;
+  for (const int i : far) {
+    if (value.here[i] == 0) continue;
+    const float slope =
+        far_slope(options, value.here[i] - value.before[i], value.after[i] - value.here[i]);
+    taken.push_back({i, 0, edge[i], edge[i + 1], value.here[i], slope});
+  }
+  return taken;
+}
+
+void put_far_cells(const std::vector<FarCell>& far, int length, float rounder,
+                   const FarTarget& value) {
+  for (const FarCell& cell : far) {
+    float left = cell.value;
+    for_parts(
+        image_of(cell, length), length, cell.slope / cell.value,
+        [&](int at, float share) {
+          const float part = std::clamp(rounded(share * cell.value, rounder), 0.0f, left);
+          value(at, cell.lane) += part;
+          left -= part;
+        },
+        [&](int at) { value(at, cell.lane) += left; });
+  }
+}
+
+void put_far_momentum(const std::vector<FarCell>& far, const std::vector<float>& speed, int length,
+                      const FarTarget& value, const FarTarget& momentum) {
+  for (std::size_t k = 0; k < far.size(); ++k) {
+    const FarCell& cell = far[k];
+    float left = cell.value;
+    const auto put = [&](int at, float part) {
+      value(at, cell.lane) += part;
+      momentum(at, cell.lane) += part * speed[k];
+      left -= part;
+    };
+    for_parts(
+        image_of(cell, length), length, cell.slope / cell.value,
+        [&](int at, float share) { put(at, std::clamp(share * cell.value, 0.0f, left)); },
+        [&](int at) { put(at, left); });
+  }
+}
+
+}  // namespace pentimento::conservative

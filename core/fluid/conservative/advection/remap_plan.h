@@ -1,0 +1,41 @@
+#pragma once
+// The plan of a remap: where the parts of each cell of a batch go when its two edges move. All
+// quantities that move with the same velocity share a plan.
+//
+// A batch is a flat array of n cells. Neighbours along the axis of motion lie `step` apart in it: 1
+// for a row that moves along x, the width of the strip for columns that move along y.
+
+#include <vector>
+
+namespace pentimento::conservative {
+
+/// The shares of a batch's cells that move. The share tau_lo of a cell goes over its low edge,
+/// tau_hi over its high edge; both are shares of its length, in [0,1]. `stay` is 1, but 0 for far
+/// cells: cells whose parts reach further than the next cell, or whose edges change order.
+/// put_far_cells() moves far cells as a whole.
+struct RemapPlan {
+  int step = 1;
+  std::vector<float> edge;  // n + step displacements in cells; cell i has edges i and i + step
+  std::vector<float> tau_lo, tau_hi, stay;  // n
+  std::vector<int> far;                     // cells with stay = 0, ascending
+
+  void resize(int cells, int step_cells);
+  int cells() const { return static_cast<int>(stay.size()); }
+};
+
+/// Fills all of a plan but `edge`, from `edge`.
+void plan_remap(RemapPlan& plan);
+
+/// Plans one row.
+///   len = 1 + D_hi - D_lo;  tau_lo = max(-D_lo, 0) / len;  tau_hi = max(D_hi, 0) / len
+/// Scheme: exact for the moved edges x + D, D in cells. No order of its own.
+/// Stable: any D; cells with |D| > 1 or len < 1/64 are marked, not moved.
+/// Source: forward remap of moved cell edges; Lauritzen, Nair, Ullrich, J. Comput. Phys. 229 (2010)
+///   1401-1424, sec. 2, in one dimension.
+/// Departs from it: edges move with the velocity at their start (first order in time).
+void plan_remap_row(const float* edge_lo, const float* edge_hi, int cells, float* tau_lo,
+                    float* tau_hi, float* stay);
+/// How many cells of a row are far cells.
+int count_far_row(const float* stay, int cells);
+
+}  // namespace pentimento::conservative

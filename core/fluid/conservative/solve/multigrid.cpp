@@ -1,0 +1,241 @@
+#include "core/fluid/conservative/solve/multigrid.h"
+
+#include <algorithm>
+
+#include "core/fluid/conservative/solve/multigrid_rows.h"
+
+namespace pentimento::conservative {
+namespace {
+
+// Inverse roots of the Chebyshev polynomial of degree 2 on [1/2, 2]: 1 / (5/4 +- (3/4) sqrt(1/2)).
+// That interval is the part of the scaled operator's spectrum (0, 2) that a coarser grid does not
+// see.
+constexpr float kWeightA = 1 / (1.25f + 0.53033009f);
+constexpr float kWeightB = 1 / (1.25f - 0.53033009f);
+
+StencilRow stencil_at(const WorkPlane& cx, const WorkPlane& cy, int x, int y) {
+  return {cx.row(y) + x, cy.row(y - 1) + x, cy.row(y) + x};
+}
+NodeRow nodes_at(const WorkPlane& plane, int x, int y) {
+  return {plane.row(y - 1) + x, plane.row(y) + x, plane.row(y + 1) + x};
+}
+
+// The passes over one run of a level. Smoothing sweeps write the planes `x` and `other` in turn.
+template <typename Level>
+void sweep(const Level& l, const Run& r, const WorkPlane& from, WorkPlane& to, float weight) {
+  smooth_row(stencil_at(l.cx, l.cy, r.x0, r.y), l.inverse.row(r.y) + r.x0, l.rhs.row(r.y) + r.x0,
+             nodes_at(from, r.x0, r.y), weight, r.size(), to.row(r.y) + r.x0);
+}
+template <typename Level>
+void first_sweep_from_zero(Level& l, const Run& r) {
+  smooth_zero_row(l.inverse.row(r.y) + r.x0, l.rhs.row(r.y) + r.x0, kWeightA, r.size(),
+                  l.other.row(r.y) + r.x0);
+}
+template <typename Level>
+void leave_residual(Level& l, const Run& r) {
+  residual_row(stencil_at(l.cx, l.cy, r.x0, r.y), l.z_row(r.y) + r.x0, l.rhs.row(r.y) + r.x0,
+               nodes_at(l.x, r.x0, r.y), r.size(), l.other.row(r.y) + r.x0);
+}
+template <typename Level>
+void add_correction(Level& fine, const Level& coarse, const Run& r) {
+  const int y = r.y / 2;
+  const int over = (r.y & 1) != 0 ? y + 1 : y - 1;
+  const int x = r.x0 / 2;
+  const int start = 2 * x;  // prolong_row starts at an even node
+  const ProlongRow c{coarse.x.row(y) + x, coarse.x.row(over) + x, coarse.cx.row(y) + x,
+                     coarse.cy.row(over < y ? over : y) + x};
+  prolong_row(c, stencil_at(fine.cx, fine.cy, start, r.y), r.x1 - start, fine.x.row(r.y) + start);
+}
+
+template <typename Level>
+void invert_diagonal(Level& l, const Run& r) {
+  inverse_diagonal_row(stencil_at(l.cx, l.cy, r.x0, r.y), l.z_row(r.y) + r.x0, r.size(),
+                       l.inverse.row(r.y) + r.x0);
+}
+// Restriction to a run of the coarse level: first the system, then the residual, which is the right
+// side there.
+template <typename Level>
+void coarsen(const Level& fine, Level& coarse, const Run& r) {
+  const int x = 2 * r.x0;
+  const int y = 2 * r.y;
+  if (coarse.ones == nullptr)
+    restrict_row(fine.z.row(y) + x, fine.z.row(y + 1) + x, r.size(), coarse.z.row(r.y) + r.x0);
+  coarsen_cx_row(fine.cx.row(y) + x, fine.cx.row(y + 1) + x, r.size(), coarse.cx.row(r.y) + r.x0);
+  coarsen_cy_row(fine.cy.row(y + 1) + x, r.size(), coarse.cy.row(r.y) + r.x0);
+}
+template <typename Level>
+void restrict_residual(const Level& fine, Level& coarse, const Run& r) {
+  restrict_row(fine.other.row(2 * r.y) + 2 * r.x0, fine.other.row(2 * r.y + 1) + 2 * r.x0, r.size(),
+               coarse.rhs.row(r.y) + r.x0);
+}
+
+}  // namespace
+
+Multigrid::Multigrid(int width, int height) : ones_(static_cast<std::size_t>(width), 1.0f) {
+  for (int w = width, h = height;; w = (w + 1) / 2, h = (h + 1) / 2) {
+    Level& level = levels_.emplace_back();
+    for (WorkPlane* p :
+         {&level.cx, &level.cy, &level.z, &level.inverse, &level.rhs, &level.x, &level.other})
+      *p = WorkPlane(w, h);
+    if (w <= 2 && h <= 2) break;
+  }
+}
+
+void Multigrid::set_runs(const std::vector<Run>& runs) {
+  std::vector<Run> here = runs;
+  for (Level& level : levels_) {
+    std::vector<Run> coarser = coarsen_runs(here);
+    level.index = RunIndex(std::move(here), level.x.height());
+    here = std::move(coarser);
+  }
+}
+
+void Multigrid::clear(int x0, int x1, int y0, int y1) {
+  for (Level& level : levels_) {
+    for (WorkPlane* p :
+         {&level.cx, &level.cy, &level.z, &level.inverse, &level.rhs, &level.x, &level.other})
+      p->clear(x0, x1, y0, y1);
+    x0 /= 2;
+    y0 /= 2;
+    x1 = (x1 + 1) / 2;
+    y1 = (y1 + 1) / 2;
+  }
+}
+
+int Multigrid::levels_for(float coupling) const {
+  int levels = 1;
+  for (; coupling > 0.3f && levels < static_cast<int>(levels_.size()); coupling /= 4) ++levels;
+  return levels;
+}
+
+// Builds the systems of the coarser grids. start() has already built the first of them, all but its
+// diagonal.
+void Multigrid::prepare(int levels, const Threads& threads) {
+  for (int l = 1; l < levels; ++l) {
+    Level& here = level(l);
+    if (l > 1) {
+      const Level& fine = level(l - 1);
+      for_runs(threads, here.index.runs(), [&](const Run& r) { coarsen(fine, here, r); });
+    }
+    for_runs(threads, here.index.runs(), [&](const Run& r) { invert_diagonal(here, r); });
+  }
+}
+
+// Whether fine run `r` lies in the last row that belongs to its coarse row. The row above it has
+// the same runs, for a tile is a whole number of coarse cells.
+bool Multigrid::below_coarse_row(const Run& r) const {
+  return (r.y & 1) != 0 || r.y + 1 == levels_[0].x.height();
+}
+
+void Multigrid::coarsen_system(const Run& r) {
+  if (below_coarse_row(r)) coarsen(level(0), level(1), {r.y / 2, r.x0 / 2, (r.x1 + 1) / 2});
+}
+
+void Multigrid::coarsen_residual(const Run& r) {
+  if (below_coarse_row(r))
+    restrict_residual(level(0), level(1), {r.y / 2, r.x0 / 2, (r.x1 + 1) / 2});
+}
+
+// The way down on the finest grid: fills the system and smooths the first guess. If `and_restrict`,
+// it also leaves the residual in `other`, and system and residual on the next grid.
+void Multigrid::start(const Job& job, bool and_restrict, const Threads& threads) {
+  Level& fine = level(0);
+  const std::vector<RowWork>& fill = job.fill;
+  const WorkPlane& guess = job.guess != nullptr ? *job.guess : fine.x;
+  const int filled = std::max(1, static_cast<int>(fill.size()));
+  for_stages(threads, fine.index, filled + (and_restrict ? 5 : 3), [&](int stage, const Run& r) {
+    // The caller's stages fill the system.
+    if (stage < static_cast<int>(fill.size())) fill[static_cast<std::size_t>(stage)](r);
+    // Smoothing: the inverse diagonal, then two sweeps from the guess.
+    if (stage == filled) invert_diagonal(fine, r);
+    if (stage == filled + 1) sweep(fine, r, guess, fine.other, kWeightA);
+    if (stage == filled + 2) sweep(fine, r, fine.other, fine.x, kWeightB);
+    // What the sweeps left to do goes to the next grid.
+    if (stage == filled + 3) leave_residual(fine, r);
+    if (stage != filled + 4) return;
+    coarsen_system(r);
+    coarsen_residual(r);
+  });
+}
+
+// Two more sweeps on the finest grid, for systems that need no coarser one; then the caller's
+// `finish`, if any.
+void Multigrid::go_on(const RowWork& finish, const Threads& threads) {
+  Level& fine = level(0);
+  for_stages(threads, fine.index, finish ? 4 : 3, [&](int stage, const Run& r) {
+    if (stage == 1) sweep(fine, r, fine.x, fine.other, kWeightA);
+    if (stage == 2) sweep(fine, r, fine.other, fine.x, kWeightB);
+    if (stage == 3) finish(r);
+  });
+}
+
+// The way down on a coarser grid: two sweeps from a guess of 0, then the residual.
+void Multigrid::descend(Level& here, const Threads& threads) {
+  for_stages(threads, here.index, 3, [&](int stage, const Run& r) {
+    if (stage == 0) first_sweep_from_zero(here, r);
+    if (stage == 1) sweep(here, r, here.other, here.x, kWeightB);
+    if (stage == 2) leave_residual(here, r);
+  });
+}
+
+void Multigrid::bottom(Level& here, const Threads& threads) {
+  for_stages(threads, here.index, 4, [&](int stage, const Run& r) {
+    if (stage == 0) first_sweep_from_zero(here, r);
+    if (stage == 1) sweep(here, r, here.other, here.x, kWeightB);
+    if (stage == 2) sweep(here, r, here.x, here.other, kWeightA);
+    if (stage == 3) sweep(here, r, here.other, here.x, kWeightB);
+  });
+}
+
+// The way up: adds the correction of the coarser grid and smooths it. On the finest grid it is
+// followed by the way down of the next V-cycle (`and_descend`), or by the caller's `finish` after
+// the last one.
+void Multigrid::ascend(int l, bool and_descend, const RowWork& finish, const Threads& threads) {
+  Level& here = level(l);
+  const Level& coarse = level(l + 1);
+  const int stages = and_descend ? 7 : finish ? 4 : 3;
+  for_stages(threads, here.index, stages, [&](int stage, const Run& r) {
+    // Prolongation, then two sweeps: the end of this V-cycle.
+    if (stage == 0) add_correction(here, coarse, r);
+    if (stage == 1) sweep(here, r, here.x, here.other, kWeightA);
+    if (stage == 2) sweep(here, r, here.other, here.x, kWeightB);
+    // Either the caller's last stage, or the start of the next V-cycle: two sweeps, then the
+    // residual.
+    if (stage == 3 && !and_descend) finish(r);
+    if (stage == 3 && and_descend) sweep(here, r, here.x, here.other, kWeightA);
+    if (stage == 4) sweep(here, r, here.other, here.x, kWeightB);
+    if (stage == 5) leave_residual(here, r);
+    if (stage == 6) coarsen_residual(r);
+  });
+}
+
+void Multigrid::coarse_cycle(int l, int levels, const Threads& threads) {
+  if (l > 1)
+    for_runs(threads, level(l).index.runs(),
+             [&](const Run& r) { restrict_residual(level(l - 1), level(l), r); });
+  // On the coarsest grid four sweeps do: its couplings are weak (levels_for).
+  if (l + 1 == levels) return bottom(level(l), threads);
+  descend(level(l), threads);
+  coarse_cycle(l + 1, levels, threads);
+  ascend(l, false, {}, threads);
+}
+
+void Multigrid::solve(int cycles, int levels, const Threads& threads, const Job& job) {
+  const RowWork& finish = job.finish;
+  for (Level& l : levels_) l.ones = job.unit_zero_order ? ones_.data() : nullptr;
+  // The system, and the way down of the first V-cycle.
+  start(job, levels > 1, threads);
+  if (levels == 1) {  // the coupling is so weak that sweeps alone do
+    for (int k = 1; k < cycles; ++k) go_on(k + 1 == cycles ? finish : RowWork{}, threads);
+    if (cycles == 1 && finish) for_runs(threads, level(0).index.runs(), finish);
+    return;
+  }
+  // The coarser systems are built once; then each V-cycle goes through them and up again.
+  prepare(levels, threads);
+  for (int k = 0; k < cycles; ++k) {
+    coarse_cycle(1, levels, threads);
+    ascend(0, k + 1 < cycles, finish, threads);
+  }
+}
+
+}  // namespace pentimento::conservative

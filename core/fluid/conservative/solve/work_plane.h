@@ -1,0 +1,36 @@
+#pragma once
+// A plane with a border of zeros, so that kernels may read one cell beyond the canvas. Row y is
+// valid for y in [-1, height], x in [-16, width + 16).
+
+#include "core/base/field.h"
+
+namespace pentimento::conservative {
+
+class WorkPlane {
+ public:
+  WorkPlane() = default;
+  WorkPlane(int width, int height)
+      : width_(width), height_(height), storage_(width + 2 * kSide, height + 2) {}
+  int width() const { return width_; }
+  int height() const { return height_; }
+  float* row(int y) { return storage_.row(y + 1) + kSide; }
+  const float* row(int y) const { return storage_.row(y + 1) + kSide; }
+  /// Writes zeros in [x0, x1) x [y0, y1).
+  void clear(int x0, int x1, int y0, int y1) {
+    for (int y = y0; y < y1; ++y)
+      for (int x = x0; x < x1; ++x) row(y)[x] = 0;
+  }
+  friend void swap(WorkPlane& a, WorkPlane& b) noexcept {
+    std::swap(a.width_, b.width_);
+    std::swap(a.height_, b.height_);
+    swap(a.storage_, b.storage_);
+  }
+
+ private:
+  static constexpr int kSide = 16;  // one cache line of floats: rows stay aligned
+  int width_ = 0;
+  int height_ = 0;
+  Field<float> storage_;
+};
+
+}  // namespace pentimento::conservative

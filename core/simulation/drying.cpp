@@ -1,0 +1,54 @@
+#include "core/simulation/drying.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/optics/composite.h"
+
+namespace pentimento {
+
+namespace {
+double plane_sum(const Field<float>& plane) {
+  double sum = 0;
+  for (int y = 0; y < plane.height(); ++y) {
+    double row = 0;
+    for (int x = 0; x < plane.width(); ++x) row += static_cast<double>(plane(x, y));
+    sum += row;
+  }
+  return sum;
+}
+
+void add(const PaintFlow& from, PaintFlow& to) {
+  to.medium_m3 += from.medium_m3;
+  for (std::size_t c = 0; c < from.channel.size(); ++c) to.channel[c] += from.channel[c];
+}
+}  // namespace
+
+PaintFlow wet_paint(const CanvasState& state) {
+  const double area = state.geometry.cell_area_m2();
+  PaintFlow wet;
+  wet.medium_m3 = plane_sum(state.depth_m) * area;
+  wet.channel.assign(static_cast<std::size_t>(state.channels), 0.0);
+  for (int layer = 0; layer < state.layers; ++layer)
+    for (int c = 0; c < state.channels; ++c)
+      wet.channel[static_cast<std::size_t>(c)] += plane_sum(state.channel(layer, c)) * area;
+  return wet;
+}
+
+void dry_canvas(CanvasState& state, const ChannelBasis& basis, const Model& model,
+                const Threads& threads, PaintFlow& dried) {
+  add(wet_paint(state), dried);
+  const CompositeOptics optics = make_composite_optics(basis, model);
+  threads.for_rows(state.geometry.height, [&](int y) {
+    std::vector<float*> reflectance;
+    for (Field<float>& band : state.reflectance) reflectance.push_back(band.row(y));
+    composite_row(optics, state, y, reflectance);
+    for (int x = 0; x < state.geometry.width; ++x) state.base_m(x, y) += state.depth_m(x, y);
+  });
+  for (Field<float>* plane : {&state.depth_m, &state.velocity_x_m_s, &state.velocity_y_m_s})
+    plane->fill(0);
+  for (Field<float>& plane : state.pigment) plane.fill(0);
+  state.stroke.fill(0);
+}
+
+}  // namespace pentimento

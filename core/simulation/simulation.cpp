@@ -1,0 +1,265 @@
+#include "core/simulation/simulation.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "core/base/finite.h"
+#include "core/brush/held_brush.h"
+#include "core/brush/transfer.h"
+#include "core/simulation/drying.h"
+#include "core/simulation/make_scheme.h"
+
+namespace pentimento {
+
+namespace {
+struct TouchState {
+  explicit TouchState(int channels) : reservoir(channels) {}
+  Reservoir reservoir;
+  std::uint32_t stroke_id = 0;
+  bool down = false;
+};
+
+PaintAccount empty_account(int channels) {
+  PaintAccount account;
+  for (PaintFlow* flow : {&account.deposited, &account.picked_up, &account.dried})
+    flow->channel.assign(static_cast<std::size_t>(channels), 0.0);
+  return account;
+}
+
+std::string non_finite_in(const Field<float>& plane, const std::string& name) {
+  for (int y = 0; y < plane.height(); ++y) {
+    if (all_finite(plane.view().row_span(y))) continue;
+    for (int x = 0; x < plane.width(); ++x)
+      if (!all_finite({&plane(x, y), 1}))
+        return name + " at cell (" + std::to_string(x) + "," + std::to_string(y) + ")";
+  }
+  return {};
+}
+}  // namespace
+
+struct Simulation::Impl {
+  Impl(SimulationSetup given, const Threads& with)
+      : setup(std::move(given)),
+        threads(with),
+        model(setup.model),
+        amount(setup.basis.amount.begin(), setup.basis.amount.end()),
+        account(empty_account(setup.basis.channels())),
+        held(setup.basis, model) {
+    fresh_canvas();
+  }
+
+  /// Paper, no paint; the books start anew.
+  void fresh_canvas() {
+    const std::int64_t step = state.step;
+    state = make_canvas_state(setup.geometry, model.layers, setup.basis.channels(),
+                              static_cast<int>(setup.paper_reflectance.size()), 1.0f);
+    state.step = step;
+    for (std::size_t band = 0; band < setup.paper_reflectance.size(); ++band)
+      state.reflectance[band].fill(setup.paper_reflectance[band]);
+    if (!setup.paper_m.empty()) {
+      state.paper_m = setup.paper_m.clone();
+      state.base_m = setup.paper_m.clone();
+    }
+    account = empty_account(setup.basis.channels());
+    adopt_state();
+  }
+
+  /// What refers to the planes of the state is made again.
+  void adopt_state() {
+    scheme = make_scheme(model.scheme, setup.geometry, state.layers, state.channels);
+    contact = make_brush_contact(setup.geometry.width, setup.geometry.height);
+    transfer.emplace(state, contact, account, amount, threads);
+    transfer->set_listener(listener);
+  }
+
+  void fill_brushes() {
+    for (auto& [id, touch] : touches) dip(touch);
+  }
+
+  /// What lays no film starts clean, not dipped.
+  void dip(TouchState& touch) const {
+    if (held.brush().lays_paint()) {
+      touch.reservoir.fill(held.load());
+    } else {
+      touch.reservoir.empty();
+    }
+  }
+
+  SimulationSetup setup;
+  const Threads& threads;
+  Model model;
+  std::vector<float> amount;
+  PaintAccount account;
+  CanvasState state;
+  BrushContact contact;
+  std::unique_ptr<FluidScheme> scheme;
+  std::optional<Transfer> transfer;
+  CanvasListener* listener = nullptr;
+
+  HeldBrush held;
+  std::map<int, TouchState> touches;
+  Vec3f gravity_m_s2{0, 0, 9.81f};
+  std::int64_t stamps = 0;
+};
+
+Simulation::Simulation(SimulationSetup setup, const Threads& threads)
+    : impl_(std::make_unique<Impl>(std::move(setup), threads)) {}
+Simulation::~Simulation() = default;
+
+void Simulation::set_settings(const BrushSettings& settings) {
+  if (impl_->held.set_settings(settings)) impl_->fill_brushes();
+}
+
+void Simulation::set_brush(const BrushDefinition& brush) {
+  if (impl_->held.take(brush)) impl_->fill_brushes();
+}
+
+void Simulation::set_color(int pigment) {
+  impl_->held.set_color(pigment);
+  impl_->fill_brushes();
+}
+
+void Simulation::set_color(int pigment, float from, float to) {
+  const ReservoirRows rows = impl_->held.set_color(pigment, from, to);
+  if (!impl_->held.brush().lays_paint()) return;
+  for (auto& [id, touch] : impl_->touches)
+    touch.reservoir.fill_rows(impl_->held.load(), rows.begin, rows.end);
+}
+
+void Simulation::begin_stroke(int touch_id, std::uint32_t stroke_id) {
+  const auto [found, is_new] = impl_->touches.try_emplace(touch_id, impl_->state.channels);
+  TouchState& touch = found->second;
+  if (is_new) impl_->dip(touch);
+  touch.down = true;
+  touch.stroke_id = stroke_id;
+  touch.reservoir.density_frac = impl_->held.settings().load_frac;
+  touch.reservoir.dry_ahead_frac = 1;
+}
+
+void Simulation::stamp(int touch_id, const Stamp& stamp) {
+  const auto touch = impl_->touches.find(touch_id);
+  PENTIMENTO_CHECK(touch != impl_->touches.end() && touch->second.down);
+  const HeldBrush& held = impl_->held;
+  const BrushInHand hand{held.brush(), held.tip(), held.settings(), held.load(),
+                         touch->second.stroke_id};
+  impl_->transfer->apply(stamp, hand, impl_->model, touch->second.reservoir);
+  ++impl_->stamps;
+}
+
+void Simulation::end_stroke(int touch_id) {
+  const auto touch = impl_->touches.find(touch_id);
+  if (touch != impl_->touches.end()) touch->second.down = false;
+}
+
+void Simulation::set_listener(CanvasListener* listener) {
+  impl_->listener = listener;
+  impl_->transfer->set_listener(listener);
+}
+
+void Simulation::set_gravity(Vec3f gravity_m_s2) {
+  impl_->gravity_m_s2 = gravity_m_s2;
+}
+
+void Simulation::set_model(const Model& model) {
+  PENTIMENTO_CHECK(model.scheme == impl_->model.scheme && model.layers == impl_->model.layers);
+  impl_->model = model;
+  if (impl_->held.reload()) impl_->fill_brushes();
+  impl_->state.sleep.clear();  // what rested may not rest under other parameters
+}
+
+void Simulation::dry() {
+  if (impl_->listener != nullptr)
+    impl_->listener->drying(impl_->state, impl_->setup.basis, impl_->model);
+  dry_canvas(impl_->state, impl_->setup.basis, impl_->model, impl_->threads, impl_->account.dried);
+  impl_->state.sleep.clear();
+}
+
+void Simulation::clear() {
+  impl_->fresh_canvas();
+  if (impl_->listener != nullptr) impl_->listener->cleared();
+}
+
+void Simulation::load(const std::vector<Field<float>>& reflectance) {
+  PENTIMENTO_CHECK(static_cast<int>(reflectance.size()) == impl_->state.bands);
+  impl_->fresh_canvas();
+  for (std::size_t band = 0; band < reflectance.size(); ++band) {
+    PENTIMENTO_CHECK(reflectance[band].width() == impl_->setup.geometry.width &&
+                     reflectance[band].height() == impl_->setup.geometry.height);
+    impl_->state.reflectance[band] = reflectance[band].clone();
+  }
+  if (impl_->listener != nullptr) impl_->listener->cleared();
+}
+
+void Simulation::restore(CanvasState state) {
+  PENTIMENTO_CHECK(state.geometry.width == impl_->setup.geometry.width &&
+                   state.geometry.height == impl_->setup.geometry.height &&
+                   state.layers == impl_->model.layers &&
+                   state.channels == impl_->setup.basis.channels());
+  impl_->state = std::move(state);
+  impl_->account = empty_account(impl_->state.channels);
+  impl_->account.deposited = wet_paint(impl_->state);
+  impl_->adopt_state();
+  if (impl_->listener != nullptr) impl_->listener->restored(impl_->state);
+}
+
+bool Simulation::step() {
+  Impl& m = *impl_;
+  const bool touched = !m.contact.empty();
+  const StepInput in{m.model,  m.gravity_m_s2, m.setup.dt_s, m.contact,
+                     m.amount, m.threads,      m.listener};
+  const bool moved = m.scheme->step(m.state, in);
+  if (m.listener != nullptr) m.listener->stepped(m.state, in);
+  pentimento::clear(m.contact);
+  ++m.state.step;
+  return moved || touched;
+}
+
+void Simulation::skip(std::int64_t steps) {
+  PENTIMENTO_CHECK(steps >= 0 && impl_->contact.empty());
+  impl_->state.step += steps;
+}
+
+const CanvasState& Simulation::state() const {
+  return impl_->state;
+}
+const Model& Simulation::model() const {
+  return impl_->model;
+}
+const CanvasGeometry& Simulation::geometry() const {
+  return impl_->setup.geometry;
+}
+const ChannelBasis& Simulation::basis() const {
+  return impl_->setup.basis;
+}
+const PaintAccount& Simulation::account() const {
+  return impl_->account;
+}
+PaintFlow Simulation::wet() const {
+  return wet_paint(impl_->state);
+}
+
+std::string Simulation::first_non_finite() const {
+  const CanvasState& s = impl_->state;
+  const auto check = [](const Field<float>& plane, const std::string& name) {
+    return non_finite_in(plane, name);
+  };
+  std::string found = check(s.depth_m, "depth");
+  if (found.empty()) found = check(s.velocity_x_m_s, "velocity_x");
+  if (found.empty()) found = check(s.velocity_y_m_s, "velocity_y");
+  if (found.empty()) found = check(s.base_m, "base");
+  for (std::size_t i = 0; found.empty() && i < s.reflectance.size(); ++i)
+    found = check(s.reflectance[i], "reflectance " + std::to_string(i));
+  for (std::size_t i = 0; found.empty() && i < s.pigment.size(); ++i)
+    found = check(s.pigment[i],
+                  "layer " + std::to_string(i / static_cast<std::size_t>(s.channels)) +
+                      " channel " + std::to_string(i % static_cast<std::size_t>(s.channels)));
+  return found;
+}
+
+std::vector<std::pair<std::string, double>> Simulation::statistics() const {
+  auto all = impl_->scheme->statistics();
+  all.emplace_back("stamps", static_cast<double>(impl_->stamps));
+  return all;
+}
+
+}  // namespace pentimento

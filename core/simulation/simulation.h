@@ -1,0 +1,82 @@
+#pragma once
+// A canvas, a brush in the hand and the fluid under it: the whole model behind one facade (R36).
+// The order within a step is the caller's for events, then: step(). One instance, one thread at a
+// time; the loops inside use `threads`. Fully deterministic.
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/threads.h"
+#include "core/base/vec.h"
+#include "core/canvas/canvas_state.h"
+#include "core/canvas/paint_account.h"
+#include "core/fluid/scheme.h"
+#include "core/model/model.h"
+#include "core/optics/channels.h"
+#include "core/simulation/canvas_listener.h"
+#include "core/simulation/painter.h"
+
+namespace pentimento {
+
+struct SimulationSetup {
+  CanvasGeometry geometry;
+  Model model;
+  ChannelBasis basis;
+  float dt_s = 1.0f / 45;
+  Field<float> paper_m;  // relief of the paper on the grid, >= 0
+  std::vector<float> paper_reflectance = {0.9f, 0.9f, 0.9f};  // per band of the basis
+};
+
+class Simulation : public Painter {
+ public:
+  /// `threads` outlives the simulation.
+  Simulation(SimulationSetup setup, const Threads& threads);
+  ~Simulation() override;
+
+  void set_settings(const BrushSettings& settings) override;
+  void set_brush(const BrushDefinition& brush) override;
+  void set_color(int pigment) override;
+  void set_color(int pigment, float from, float to) override;
+  void begin_stroke(int touch_id, std::uint32_t stroke_id) override;
+  void stamp(int touch_id, const Stamp& stamp) override;
+  void end_stroke(int touch_id) override;
+  void set_gravity(Vec3f gravity_m_s2) override;
+  void set_model(const Model& model) override;
+  void dry() override;
+  /// The paint account starts anew; so it does with load().
+  void clear() override;
+  void load(const std::vector<Field<float>>& reflectance) override;
+  const Model& model() const override;
+  const CanvasGeometry& geometry() const override;
+
+  /// Told of everything that happens to the canvas; nullptr: nobody. Outlives the simulation.
+  void set_listener(CanvasListener* listener);
+
+  /// Goes on from a dumped state (same geometry, layers and channels). What is wet in it opens the
+  /// paint account as deposited.
+  void restore(CanvasState state);
+
+  /// One simulation step. Returns false if it changed nothing and nothing waits: the caller may
+  /// then skip steps with skip() until the next event, with the same result.
+  bool step();
+  void skip(std::int64_t steps);
+
+  const CanvasState& state() const;
+  const ChannelBasis& basis() const;
+  const PaintAccount& account() const;
+  /// What is wet on the canvas now.
+  PaintFlow wet() const;
+  /// First non-finite value, as "depth at cell (3,4)"; empty if all is finite.
+  std::string first_non_finite() const;
+  std::vector<std::pair<std::string, double>> statistics() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace pentimento

@@ -1,0 +1,55 @@
+// Makes the pointer to the input one to const.
+#define ZLIB_CONST
+#include <zlib.h>
+
+#include <vector>
+
+#include "core/base/check.h"
+#include "formats/log/stream/compress.h"
+
+namespace pentimento::log {
+
+namespace {
+
+constexpr int kGzipWindow = 15 + 16;  // the largest window; +16: with gzip's header and checksum
+constexpr int kMemory = 8;            // zlib's default
+
+class GzipSink : public ByteSink {
+ public:
+  explicit GzipSink(OutputFile& file) : file_(file), buffer_(1 << 16) {
+    PENTIMENTO_CHECK(deflateInit2(&stream_, Z_DEFAULT_COMPRESSION, Z_DEFLATED, kGzipWindow, kMemory,
+                                  Z_DEFAULT_STRATEGY) == Z_OK);
+  }
+  ~GzipSink() override { deflateEnd(&stream_); }
+  GzipSink(const GzipSink&) = delete;
+  GzipSink& operator=(const GzipSink&) = delete;
+
+  void write(std::span<const char> bytes) override {
+    stream_.next_in = reinterpret_cast<const Bytef*>(bytes.data());
+    stream_.avail_in = static_cast<uInt>(bytes.size());
+    run(Z_NO_FLUSH);
+  }
+  void end() override { run(Z_FINISH); }
+
+ private:
+  void run(int flush) {
+    do {
+      stream_.next_out = buffer_.data();
+      stream_.avail_out = static_cast<uInt>(buffer_.size());
+      PENTIMENTO_CHECK(deflate(&stream_, flush) != Z_STREAM_ERROR);
+      file_.write(buffer_.data(), buffer_.size() - stream_.avail_out);
+    } while (stream_.avail_out == 0);
+  }
+
+  OutputFile& file_;
+  std::vector<Bytef> buffer_;
+  z_stream stream_{};
+};
+
+}  // namespace
+
+std::unique_ptr<ByteSink> gzip_sink(OutputFile& file) {
+  return std::make_unique<GzipSink>(file);
+}
+
+}  // namespace pentimento::log

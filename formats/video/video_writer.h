@@ -1,0 +1,31 @@
+#pragma once
+// Writes videos: Motion JPEG in .avi, MPEG-4 in .mp4 and .mkv. A frame is a whole picture in
+// strips, and its light becomes sRGB as in a PNG of 8 bits. The encoder writes a temporary file
+// beside the target; the whole file then gets the name.
+
+#include <memory>
+#include <string>
+
+#include "core/base/result.h"
+#include "formats/color/row_encoder.h"
+#include "formats/io/picture_file.h"
+
+namespace pentimento {
+
+struct VideoOptions {
+  int width = 0, height = 0;
+  double frames_per_second = 25;
+  bool no_clobber = false;
+  bool dither = false;
+  int threads = 1;
+};
+
+/// Whether a name has the extension .avi, .mp4 or .mkv, in upper or lower case.
+bool is_video_name(const std::string& path);
+
+/// Takes frame after frame: a strip that begins at row 0 begins the next frame. complete() ends the
+/// video. Errors: kUsage (an odd side), kIo (no encoder, not writable), kNonFinite from write().
+Result<std::unique_ptr<PictureFile>> create_video(const std::string& path,
+                                                  const VideoOptions& options);
+
+}  // namespace pentimento

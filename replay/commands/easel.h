@@ -1,0 +1,67 @@
+#pragma once
+// The easel: a canvas to paint on from C++, without a log. A stroke takes the time that a hand
+// needs for it, and the paint flows meanwhile. A log with the same strokes ends in the same state,
+// bit for bit. Only one thread at a time may use an easel.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/brush/brush_settings.h"
+#include "core/optics/lighting.h"
+#include "core/simulation/simulation.h"
+#include "formats/io/picture_file.h"
+#include "formats/log/tables/events.h"
+
+namespace pentimento {
+
+/// A point of a stroke: a place on the canvas, from the top left, y down.
+struct StrokePoint {
+  double x_m = 0;
+  double y_m = 0;
+  float pressure = 0.8f;  // 0..1
+};
+
+class Easel {
+ public:
+  /// Puts up the canvas of a log's header: size, grid, paper, palette, brushes, model, picture. The
+  /// header is not checked, and must be one that a reader of logs accepts. Files that it names are
+  /// looked for in the working folder. `threads` 0: as many as the machine has. The hand begins
+  /// with the brush `round` and the palette's first pigment. Errors: kBadInput (a pigment that the
+  /// library does not have), those of the files.
+  static Result<std::unique_ptr<Easel>> open(const log::Header& header, int threads = 0);
+  ~Easel();
+
+  // The hand. After a name that does not exist nothing more is painted, and write_png() returns the
+  // error.
+  /// Takes up a brush of the header or a built-in one, with these sliders.
+  void take_brush(const std::string& name, const BrushSettings& settings);
+  /// Loads the brush with a pigment of the palette.
+  void take_color(const std::string& pigment);
+  /// Draws a smooth curve through `points`, at `speed_m_s` > 0.
+  void stroke(const std::vector<StrokePoint>& points, double speed_m_s = 0.5);
+
+  // The time between strokes.
+  /// The hand rests and the paint flows on. `seconds` >= 0.
+  void wait(double seconds);
+  /// All paint dries at once.
+  void dry();
+
+  /// The picture of the canvas as it is now, 8 bits a colour. `width` in pixels, 0: one per cell;
+  /// the height follows the canvas. Errors: the first of the calls above, kIo, those of OpenGL.
+  Result<Published> write_png(const std::string& path, int width = 0);
+
+  /// The light of the pictures. It begins as the light of a log without events of light.
+  Lighting& lighting();
+  /// The simulation, for what has no call here: gravity, model, the state. Do not call its step();
+  /// the easel does that.
+  Simulation& simulation();
+
+ private:
+  struct Impl;
+  explicit Easel(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace pentimento

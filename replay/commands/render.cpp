@@ -1,0 +1,287 @@
+#include "replay/commands/render.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "replay/estimate/memory_estimate.h"
+#include "replay/job/step_clock.h"
+#include "replay/job/stopwatch.h"
+#include "replay/output/canvas_view.h"
+#include "replay/output/effective.h"
+#include "replay/output/output_plan.h"
+#include "replay/output/output_set.h"
+#include "replay/play/copies.h"
+#include "replay/play/light_override.h"
+#include "replay/play/player.h"
+#include "replay/session/log_session.h"
+
+namespace pentimento {
+
+namespace {
+
+Lighting first_lighting(LogSession& session) {
+  Lighting lighting = session.start ? std::move(session.start->lighting) : default_lighting();
+  develop(session.reader->header().picture, lighting);
+  return lighting;
+}
+
+/// One replay, from the first step to the closing report.
+class Replay {
+ public:
+  Replay(const RenderJob& job, LogSession& session, const Control& control, Stopwatch& watch)
+      : job_(job),
+        session_(session),
+        control_(control),
+        watch_(watch),
+        threads_(job.threads),
+        settings_{job.picture, session.size, threads_.count(), control},
+        outputs_(settings_, watch),
+        lighting_(first_lighting(session), session.reader->header().steps_per_second) {}
+
+  Result<JobReport> run();
+
+ private:
+  Result<void> begin();
+  Result<void> play();
+  Result<void> play_to_stop(std::size_t stop);
+  Result<void> write(const std::vector<PlannedOutput>& files);
+  Origin origin(const Lighting& lighting) const;
+  StateDump dump_of(const CanvasView& view, Lighting lighting, const Origin& from) const;
+  double time_s() const;
+  void conclude();
+
+  const RenderJob& job_;
+  LogSession& session_;
+  const Control& control_;
+  Stopwatch& watch_;
+  Threads threads_;
+  OutputSettings settings_;
+  OutputSet outputs_;
+  LightingTrack lighting_;
+  LightOverride light_;
+  std::vector<std::vector<PlannedOutput>> files_;  // for each stop
+  std::int64_t first_step_ = 0;
+  std::unique_ptr<Simulation> simulation_;
+  std::unique_ptr<ReplayDetail> fine_;  // empty at detail 1
+  std::unique_ptr<Timeline> timeline_;
+  std::unique_ptr<Hand> hand_;
+  std::unique_ptr<Player> player_;
+  JobReport report_;
+};
+
+std::uint32_t last_stroke_id(const CanvasState& state) {
+  std::uint32_t last = 0;
+  for (int y = 0; y < state.stroke.height(); ++y) {
+    for (const std::uint32_t id : state.stroke.view().row_span(y)) last = std::max(last, id);
+  }
+  return last;
+}
+
+bool any_state(const std::vector<PlannedOutput>& files) {
+  return std::any_of(files.begin(), files.end(),
+                     [](const PlannedOutput& f) { return f.kind == OutputKind::kState; });
+}
+
+Result<JobReport> Replay::run() {
+  // Everything is made before the first step, ...
+  if (Result<void> begun = begin(); !begun) return begun.error();
+  // ... the log is replayed from stop to stop, ...
+  if (Result<void> played = play(); !played) return played.error();
+  if (Result<void> go = control_.go_on(); !go) return go.error();
+  // ... and only then do the finished files get their names.
+  watch_.start("publish");
+  Result<std::vector<WrittenFile>> written = outputs_.publish();
+  if (!written) return written.error();
+  report_.outputs = std::move(*written);
+  conclude();
+  return std::move(report_);
+}
+
+/// Says why a direct simulation gives another painting than the log's. Empty if it runs on the
+/// log's grid.
+std::string other_painting(const LogSession& session) {
+  const CanvasGeometry &a = session.grid, &b = session.canvas;
+  if (a.width == b.width && a.height == b.height) return {};
+  return fmt::format("another than the log's: simulated on {} x {} cells, not on {} x {}", a.width,
+                     a.height, b.width, b.height);
+}
+
+Result<void> Replay::begin() {
+  // What is to be written, at which stop.
+  report_.other_painting = other_painting(session_);
+  Result<std::vector<std::vector<PlannedOutput>>> files =
+      plan_outputs(job_.picture.outputs, job_.stops);
+  if (!files) return files.error();
+  for (const PlannedOutput& output : files->front()) {
+    if (output.kind == OutputKind::kVideo) {
+      return Error{ErrorCode::kUsage,
+                   "-o " + output.path + ": videos are made by relight --light-path"};
+    }
+  }
+  files_ = std::move(*files);
+  watch_.start("prepare");
+  // The light that the options ask for.
+  Result<LightOverride> light = LightOverride::make(job_.light);
+  if (!light) return light.error();
+  light_ = std::move(*light);
+  // The guide: the simulation on the log's grid, fresh or as a dump left it.
+  Result<std::unique_ptr<Simulation>> simulation = make_simulation(session_, threads_);
+  if (!simulation) return simulation.error();
+  simulation_ = std::move(*simulation);
+  first_step_ = simulation_->state().step;
+  if (session_.detail > 1) {
+    // The detail canvas, which follows the guide.
+    ReplayDetailSetup setup{session_.detail, job_.scratch, 0, {}};
+    if (!job_.scratch.empty()) setup.resident_bytes = resident_budget(job_, session_);
+    setup.start = std::exchange(session_.detail_start, {});
+    Result<std::unique_ptr<ReplayDetail>> fine = ReplayDetail::follow(
+        *simulation_, setup, session_.reader->header().paper, session_.files, threads_);
+    if (!fine) return fine.error();
+    fine_ = std::move(*fine);
+  }
+  // The log's events in time, the hand that does them, and the player who lets time pass.
+  const TimelineInput input{session_.plan.undo, session_.brushes, session_.plan.stepped,
+                            last_stroke_id(simulation_->state()) + 1};
+  timeline_ = std::make_unique<Timeline>(*session_.reader, input);
+  hand_ = std::make_unique<Hand>(*simulation_,
+                                 hand_input(session_, fine_ ? &fine_->substrate() : nullptr));
+  player_ = std::make_unique<Player>(PlayerInput{*timeline_, *simulation_, *hand_, lighting_,
+                                                 session_.files, control_, session_.steps});
+  return {};
+}
+
+/// Visits the stops in the order of time, whatever order the options gave.
+Result<void> Replay::play() {
+  std::vector<std::size_t> order(files_.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const std::vector<std::int64_t>& stops = session_.plan.stops;
+  if (!stops.empty()) {
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return stops[a] < stops[b]; });
+  }
+  for (const std::size_t stop : order) {
+    watch_.start("simulate");
+    if (Result<void> played = play_to_stop(stop); !played) return played;
+    if (Result<void> written = write(files_[stop]); !written) return written;
+  }
+  return {};
+}
+
+Result<void> Replay::play_to_stop(std::size_t stop) {
+  const std::vector<std::int64_t>& stops = session_.plan.stops;
+  Result<void> played =
+      stops.empty() ? player_->play_all(session_.plan.steps) : player_->play_to(stops[stop]);
+  if (!played) return played;
+  // The paint comes to rest, if asked.
+  if (Result<void> rested = player_->settle(job_.settle_s ? session_.steps : player_->steps());
+      !rested)
+    return rested;
+  return fine_ ? fine_->problem() : Result<void>();
+}
+
+double Replay::time_s() const {
+  return StepClock(session_.reader->header().steps_per_second).seconds(simulation_->state().step);
+}
+
+Origin Replay::origin(const Lighting& lighting) const {
+  Origin origin;
+  origin.log_sha256 = session_.plan.sha256;
+  origin.files = session_.files.hashes();
+  origin.state_sha256 = report_.state_sha256;
+  origin.guide_sha256 = report_.guide_sha256;
+  origin.model = simulation_->model();
+  origin.grid = session_.grid;
+  origin.detail = session_.detail;
+  origin.other_painting = report_.other_painting;
+  origin.steps_per_second = session_.reader->header().steps_per_second;
+  origin.step = simulation_->state().step;
+  origin.time_s = time_s();
+  origin.lighting = clone_lighting(lighting);
+  origin.command = job_.command;
+  return origin;
+}
+
+Result<void> Replay::write(const std::vector<PlannedOutput>& files) {
+  watch_.start("hash");
+  // The hashes that every output carries.
+  const CanvasView view = make_canvas_view(*simulation_, fine_.get(), session_.detail);
+  report_.guide_sha256 = state_sha256(simulation_->state());
+  report_.state_sha256 =
+      view.detail > 1 ? state_sha256(*view.canvas, threads_) : report_.guide_sha256;
+  // The light at this moment: the log's, then what the options change, then lamps fixed in the
+  // room.
+  if (Result<void> looked = lighting_.look(player_->steps()); !looked) return looked;
+  Lighting lighting = clone_lighting(lighting_.lighting());
+  light_.apply(lighting);
+  const log::Gravity gravity = session_.gravity.value_or(lighting_.gravity());
+  for (Lamp& lamp : lighting.lamps) fix_lamp(lamp, gravity);
+  // Pictures, then dumps.
+  const Scene scene{*view.canvas, simulation_->basis(), simulation_->model(), lighting};
+  const Origin from = origin(lighting);
+  if (Result<void> shaded = outputs_.add_pictures(files, scene, from); !shaded) return shaded;
+  if (!any_state(files)) return {};
+  return outputs_.add_states(files, dump_of(view, std::move(lighting), from), from);
+}
+
+StateDump Replay::dump_of(const CanvasView& view, Lighting lighting, const Origin& from) const {
+  StateDump dump;
+  dump.state = clone_state(simulation_->state());
+  dump.detail = view.detail;
+  if (view.detail > 1) {
+    dump.fine = view.canvas;
+    dump.checkpoint = fine_->checkpoint();
+  }
+  dump.model = simulation_->model();
+  dump.basis = simulation_->basis();
+  dump.palette = session_.palette.pigments();
+  dump.lighting = std::move(lighting);
+  dump.steps_per_second = from.steps_per_second;
+  dump.time_s = from.time_s;
+  dump.log_sha256 = from.log_sha256;
+  dump.state_sha256 = from.state_sha256;
+  dump.guide_sha256 = from.guide_sha256;
+  return dump;
+}
+
+void Replay::conclude() {
+  watch_.stop();
+  report_.steps = player_->steps();
+  report_.steps_computed = player_->steps_computed();
+  report_.simulated_s =
+      StepClock(session_.reader->header().steps_per_second).seconds(report_.steps);
+  report_.detail = session_.detail;
+  report_.log_sha256 = session_.plan.sha256;
+  report_.threads = threads_.count();
+  report_.paint = paint_lines(*simulation_);
+  report_.fluid = simulation_->statistics();
+  if (fine_) report_.lock = fine_->follower().lock_statistics();
+  report_.phases = watch_.phases();
+  report_.wall_s = watch_.total_s();
+  report_.peak_memory_bytes = peak_memory_bytes();
+}
+
+}  // namespace
+
+Result<JobReport> render(const RenderJob& job, const Control& control) {
+  Stopwatch watch;
+  watch.start("read");
+  if (job.settle_s && job.stops.size() > 1) {
+    return Error{ErrorCode::kUsage, "--settle goes with at most one --at"};
+  }
+  // Reads the log once to check it, and opens what it names.
+  Result<LogSession> session = open_session(job, control);
+  if (!session) return session.error();
+  // Refuses what would not fit in memory before anything is computed.
+  Result<PaintSurvey> survey = PaintSurvey{};
+  if (session->detail > 1)
+    survey = survey_paint(*session, DetailCost(), control);  // else nothing follows it
+  if (!survey) return survey.error();
+  if (Result<void> fits = check_memory(job, *session, *survey); !fits) return fits.error();
+  Replay replay(job, *session, control, watch);
+  return replay.run();
+}
+
+}  // namespace pentimento

@@ -1,0 +1,46 @@
+#include "replay/commands/validate.h"
+
+#include <memory>
+#include <utility>
+
+#include "replay/log/brushes.h"
+#include "replay/log/log_files.h"
+#include "replay/paper/paper_relief.h"
+#include "replay/session/log_plan.h"
+
+namespace pentimento {
+
+namespace {
+std::int64_t count_undone(const UndoTable& undo) {
+  std::int64_t count = 0;
+  for (std::int64_t unit = 0; unit < undo.units(); ++unit) count += undo.played(unit) ? 0 : 1;
+  return count;
+}
+}  // namespace
+
+Result<LogFacts> validate_log(const std::string& path, const log::ReaderOptions& reading) {
+  Result<std::unique_ptr<log::Reader>> reader = log::Reader::open(path, reading);
+  if (!reader) return reader.error();
+  LogFacts facts;
+  facts.header = (*reader)->header();
+  LogFiles files(path, reading.allow_outside);
+  Result<BrushTable> brushes = BrushTable::make(facts.header, files);
+  if (!brushes) return brushes.error();
+  if (!is_builtin_paper(facts.header.paper.texture)) {
+    Result<std::string> texture = files.use(facts.header.paper.texture);
+    if (!texture) return texture.error();
+  }
+  Result<log::Summary> summary = log::summarize(**reader);
+  if (!summary) return summary.error();
+  facts.summary = std::move(*summary);
+  if (Result<void> back = (*reader)->rewind(); !back) return back.error();
+  Result<LogPlan> plan = plan_log(**reader, files, {});
+  if (!plan) return plan.error();
+  facts.undone = count_undone(plan->undo);
+  facts.steps = plan->steps;
+  for (const Pigment& pigment : plan->palette.pigments()) facts.pigments.push_back(pigment.name);
+  facts.files = files.hashes();
+  return facts;
+}
+
+}  // namespace pentimento

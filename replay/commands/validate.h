@@ -1,0 +1,27 @@
+#pragma once
+// `pentimento validate`: reads a whole log and the files that it names, without replaying it.
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "formats/log/reader.h"
+#include "formats/log/summary.h"
+
+namespace pentimento {
+
+struct LogFacts {
+  log::Header header;
+  log::Summary summary;
+  std::int64_t undone = 0;  // strokes, dryings, clearings and loads that are undone
+  std::int64_t steps = 0;
+  std::vector<std::string> pigments;         // those of the header, and picked colours
+  std::map<std::string, std::string> files;  // file named by the log -> SHA-256
+};
+
+/// Checks a log. Errors: those of the log and of its files.
+Result<LogFacts> validate_log(const std::string& path, const log::ReaderOptions& reading);
+
+}  // namespace pentimento

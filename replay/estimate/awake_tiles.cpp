@@ -1,0 +1,72 @@
+#include "replay/estimate/awake_tiles.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace pentimento {
+
+namespace {
+// After a touch paint moves this long; then it stands (mean over the samples). Thin paint, the more
+// of it the longer.
+constexpr std::int64_t kSettlingSteps = 9, kRunningSteps = 45;
+constexpr float kThinPigment = 0.3f;
+constexpr double kWakingTilt_m_s2 = 0.3;  // more than this along the canvas, and all paint moves
+constexpr int kSide = 32;                 // cells
+
+int tiles_along(int cells) {
+  return (cells + kSide - 1) / kSide;
+}
+}  // namespace
+
+bool deposits_thin_paint(const BrushSettings& brush) {
+  return brush.pigment_frac < kThinPigment;
+}
+
+std::int64_t settling_steps(const BrushSettings& brush) {
+  if (!deposits_thin_paint(brush)) return kSettlingSteps;
+  return kSettlingSteps + static_cast<std::int64_t>(kRunningSteps * brush.medium_frac);
+}
+
+AwakeTiles::AwakeTiles(const CanvasGeometry& grid)
+    : columns_(tiles_along(grid.width)),
+      tiles_(static_cast<std::size_t>(columns_ * tiles_along(grid.height))) {}
+
+void AwakeTiles::touch(int x, int y, const PaintedCells& touch) {
+  Tile& tile = tiles_[static_cast<std::size_t>(y / kSide * columns_ + x / kSide)];
+  if (tile.touched < 0) ++wet_tiles_;
+  if (tile.touched >= 0 && touch.step > tile.touched && tilted_since_ < 0)
+    add(tile, std::min(tile.settling_steps, touch.step - tile.touched));
+  tile = {touch.step, touch.settling_steps, tile.mask | touch.mask};
+}
+
+void AwakeTiles::touch(int x, int y, int width, int height, const PaintedCells& touch) {
+  for (int j = y / kSide; j <= (y + height - 1) / kSide; ++j)
+    for (int i = x / kSide; i <= (x + width - 1) / kSide; ++i)
+      this->touch(i * kSide, j * kSide, touch);
+}
+
+void AwakeTiles::add(const Tile& tile, std::int64_t steps) {
+  const double cells = static_cast<double>(steps) * kSide * kSide;
+  awake_.cell_steps += cells;
+  awake_.channel_steps += cells * std::popcount(tile.mask);
+}
+
+void AwakeTiles::tilt(double lateral_m_s2, std::int64_t step) {
+  if (tilted_since_ >= 0)
+    tilted_cell_steps_ += static_cast<double>((step - tilted_since_) * wet_tiles_) * kSide * kSide;
+  tilted_since_ = lateral_m_s2 > kWakingTilt_m_s2 ? step : -1;
+}
+
+void AwakeTiles::clear() {
+  std::fill(tiles_.begin(), tiles_.end(), Tile());
+  wet_tiles_ = 0;
+}
+
+void AwakeTiles::finish(std::int64_t step) {
+  tilt(0, step);
+  for (const Tile& tile : tiles_)
+    if (tile.touched >= 0)
+      add(tile, std::clamp<std::int64_t>(step - tile.touched, 0, tile.settling_steps));
+}
+
+}  // namespace pentimento

@@ -1,0 +1,160 @@
+#include "replay/estimate/memory_estimate.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+
+#include "replay/output/output_plan.h"
+#include "replay/output/output_set.h"
+
+namespace pentimento {
+
+namespace {
+constexpr std::int64_t kMB = 1'000'000;
+constexpr std::int64_t kProgramme = 75 * kMB;  // code, libraries
+constexpr std::int64_t kSchemePlanes = 24;     // scratch of a scheme and the brush's contact
+constexpr std::int64_t kFollowedCell = 150;    // noted of a cell of the guide for the detail canvas
+constexpr std::int64_t kShader = 60 * kMB;     // Mesa and what it compiles
+constexpr std::int64_t kDumpCache = 64 * kMB;  // chunks being compressed
+constexpr std::int64_t kDumpRead = 256 * kMB;  // of a detail canvas that goes on, at most
+constexpr std::int64_t kLeastDetail = 128 * kMB;  // of a scratch file held: tiles at work
+
+std::int64_t state_bytes(const LogSession& session) {
+  const std::int64_t cells = std::int64_t{session.grid.width} * session.grid.height;
+  const std::int64_t planes =
+      6 + session.basis.bands() + std::int64_t{session.model.layers} * session.basis.channels();
+  return cells * planes * 4;
+}
+
+std::int64_t machine_memory() {
+  return static_cast<std::int64_t>(sysconf(_SC_PHYS_PAGES)) * sysconf(_SC_PAGE_SIZE);
+}
+
+std::int64_t picture_planes(OutputKind kind, const PictureChoice& choice,
+                            const ChannelBasis& basis) {
+  if (kind == OutputKind::kPng) return 3;
+  const auto extra = aov_channels(choice.aovs, basis);
+  return 3 + (extra ? static_cast<std::int64_t>(extra->size()) : 0);
+}
+
+std::int64_t sample_bytes(OutputKind kind, const PictureChoice& choice) {
+  if (kind == OutputKind::kPng) return choice.bit_depth / 8;
+  return choice.full_float ? 4 : 2;
+}
+
+/// Shading in tiles: a tile's part of the canvas as it is packed and as textures, its targets, and
+/// the strips on their way into files.
+std::int64_t shading_bytes(const LogSession& session, const PictureChoice& choice,
+                           const OutputSize& size, std::int64_t planes) {
+  const std::int64_t across = std::min<std::int64_t>(choice.tile, size.width);
+  const std::int64_t down = std::min<std::int64_t>(choice.tile, size.height);
+  const std::int64_t cells = std::int64_t{session.grid.width} * session.detail;
+  const double cells_a_pixel = std::min(2.0, static_cast<double>(cells) / session.size.width);
+  const std::int64_t texels = 2 + session.model.layers * ((session.basis.channels() + 3) / 4);
+  const auto window =
+      static_cast<std::int64_t>(static_cast<double>(across * down) * cells_a_pixel * cells_a_pixel);
+  const std::int64_t strip = std::int64_t{size.width} * down * planes;
+  return kShader + window * 16 * (texels + 1) + across * down * 16 * 2 + strip * (4 + 3);
+}
+
+struct Writing {
+  std::int64_t memory = 0, disk = 0;
+};
+
+/// What writing one set of outputs takes.
+Writing writing_needs(const RenderJob& job, const LogSession& session,
+                      const std::vector<PlannedOutput>& outputs) {
+  Writing needs;
+  const std::int64_t state = state_bytes(session);
+  const std::int64_t square = std::int64_t{session.detail} * session.detail;
+  const Result<OutputSize> written = written_size(job.picture, session.size);
+  const OutputSize size = written ? *written : session.size;
+  std::int64_t dumping = 0, shading = 0;
+  for (const PlannedOutput& output : outputs) {
+    if (output.kind == OutputKind::kState) {
+      // At detail 1 the file is built in memory.
+      needs.disk += session.detail > 1 ? state * (square + 1) : state;
+      dumping = session.detail > 1 ? state + kDumpCache : 2 * state;
+      continue;
+    }
+    const std::int64_t planes = picture_planes(output.kind, job.picture, session.basis);
+    needs.disk +=
+        std::int64_t{size.width} * size.height * planes * sample_bytes(output.kind, job.picture);
+    shading = std::max(shading, shading_bytes(session, job.picture, size, planes));
+  }
+  // One after the other. Mesa stays, which matters beside a file in memory.
+  if (session.detail == 1 && shading > 0 && dumping > 0) dumping += kShader;
+  needs.memory = std::max(shading, dumping);
+  return needs;
+}
+
+/// What the job may do about it.
+std::string remedies(const RenderJob& job, const LogSession& session, std::int64_t limit,
+                     std::int64_t least) {
+  std::string text;
+  if (session.detail > 1 && job.scratch.empty() && least <= limit) text += ", --scratch DIR";
+  if (session.detail > 1) text += fmt::format(", --detail {}", session.detail / 2);
+  if (session.refine == Refine::kDirect) text += ", --refine guided";
+  return text;
+}
+}  // namespace
+
+namespace {
+std::int64_t limit_of(const RenderJob& job) {
+  return job.max_memory.value_or(machine_memory());
+}
+
+std::int64_t guide_bytes(const LogSession& session) {
+  const std::int64_t cells = std::int64_t{session.grid.width} * session.grid.height;
+  const std::int64_t fine = state_bytes(session) * session.detail * session.detail;
+  const std::int64_t read = session.detail_start ? std::min(kDumpRead, fine) : 0;
+  const std::int64_t checkpoint = session.detail > 1 ? cells * kFollowedCell : 0;
+  return kProgramme + state_bytes(session) + cells * kSchemePlanes * 4 + checkpoint + read;
+}
+
+std::int64_t budget_beside(std::int64_t others, const RenderJob& job) {
+  return std::max(kLeastDetail, limit_of(job) - others);
+}
+}  // namespace
+
+JobNeeds job_needs(const RenderJob& job, const LogSession& session, const PaintSurvey& survey) {
+  JobNeeds needs;
+  const auto plan = plan_outputs(job.picture.outputs, job.stops);
+  // Nothing is written by a dry run without outputs, which still asks what painting takes.
+  const Writing writing = plan ? writing_needs(job, session, plan->front()) : Writing{};
+  const auto points = static_cast<std::int64_t>(std::max<std::size_t>(1, job.stops.size()));
+  const std::int64_t others = guide_bytes(session) + writing.memory;
+  const std::int64_t detail =
+      session.detail > 1 ? static_cast<std::int64_t>(survey.detail_bytes) : 0;
+  needs.disk_bytes = points * writing.disk;
+  needs.scratch_bytes = job.scratch.empty() ? 0 : detail;
+  needs.memory_bytes =
+      others + (job.scratch.empty() ? detail : std::min(detail, budget_beside(others, job)));
+  return needs;
+}
+
+std::int64_t resident_budget(const RenderJob& job, const LogSession& session) {
+  const auto plan = plan_outputs(job.picture.outputs, job.stops);
+  const std::int64_t writing = plan ? writing_needs(job, session, plan->front()).memory : 0;
+  return budget_beside(guide_bytes(session) + writing, job);
+}
+
+Result<void> check_memory(const RenderJob& job, const LogSession& session,
+                          const PaintSurvey& survey) {
+  const std::int64_t limit = limit_of(job);
+  const std::int64_t needed = job_needs(job, session, survey).memory_bytes;
+  if (needed <= limit) return {};
+  RenderJob with_scratch = job;
+  with_scratch.scratch = "any";
+  const std::int64_t least = job_needs(with_scratch, session, survey).memory_bytes;
+  const std::int64_t k = session.detail;
+  return Error{
+      ErrorCode::kLimit,
+      fmt::format("{} x {} cells need about {} MB of memory, the limit is {} MB; it fits "
+                  "with --memory-limit {}M{}",
+                  k * session.grid.width, k * session.grid.height, needed / kMB, limit / kMB,
+                  needed / (1 << 20) + 1, remedies(job, session, limit, least))};
+}
+
+}  // namespace pentimento

@@ -1,0 +1,74 @@
+#pragma once
+// The files of a job while they are written. All are first completed under temporary names, then
+// all get their names, so a failure leaves every old file as it was.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/canvas/canvas_source.h"
+#include "core/simulation/simulation.h"
+#include "formats/hdf5/state_dump.h"
+#include "formats/io/picture_file.h"
+#include "replay/job/control.h"
+#include "replay/job/render_job.h"
+#include "replay/job/report.h"
+#include "replay/job/stopwatch.h"
+#include "replay/output/effective.h"
+#include "replay/output/output_plan.h"
+
+namespace pentimento {
+
+/// One moment of a canvas, ready to be shown.
+struct Scene {
+  const CanvasSource& canvas;
+  const ChannelBasis& basis;
+  const Model& model;
+  const Lighting& lighting;
+};
+
+/// Must outlive its OutputSet.
+struct OutputSettings {
+  const PictureChoice& picture;
+  OutputSize size;
+  int threads = 1;
+  const Control& control;
+};
+
+class OutputSet {
+ public:
+  OutputSet(const OutputSettings& settings, Stopwatch& watch);
+  ~OutputSet();
+
+  /// Shades `scene` once into all pictures among `outputs`, or paints the debug view that is asked
+  /// for. Errors: kIo, kUsage (crop, AOVs).
+  Result<void> add_pictures(const std::vector<PlannedOutput>& outputs, const Scene& scene,
+                            const Origin& origin);
+  /// Writes `dump` into all state files among `outputs`.
+  Result<void> add_states(const std::vector<PlannedOutput>& outputs, const StateDump& dump,
+                          const Origin& origin);
+  /// Gives all files their names.
+  Result<std::vector<WrittenFile>> publish();
+
+ private:
+  struct Pending;
+  Result<void> open_shader();
+  Result<void> create(const PlannedOutput& output, const Scene& scene, const Origin& origin);
+  Result<void> create_aovs(const PlannedOutput& output, const Scene& scene, const Origin& origin);
+  Result<void> add_pending(Pending pending);
+  Result<std::size_t> open_video(const std::string& path);
+  /// Shades into the pending files with the indices `shown`.
+  Result<void> shade(const Scene& scene, const std::vector<std::size_t>& shown);
+  Result<void> paint_debug_view(const Scene& scene, const std::vector<std::size_t>& shown);
+
+  const OutputSettings settings_;
+  Stopwatch& watch_;
+  std::unique_ptr<Shader> shader_;
+  std::vector<Pending> pending_;
+};
+
+/// Size in pixels of the part that is shown: the crop, or the whole picture. (The file of a debug
+/// view is larger by its legend.) Errors: kUsage, a crop that does not lie inside the picture.
+Result<OutputSize> written_size(const PictureChoice& picture, const OutputSize& whole);
+
+}  // namespace pentimento

@@ -1,0 +1,77 @@
+#include "replay/play/player.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace pentimento {
+
+namespace {
+/// Looking for non-finite values costs about a third of a step.
+constexpr std::int64_t kStepsBetweenChecks = 64;
+}  // namespace
+
+Player::Player(const PlayerInput& input) : in_(input), first_step_(input.simulation.state().step) {}
+
+std::int64_t Player::steps() const {
+  return in_.simulation.state().step - first_step_;
+}
+
+Result<void> Player::play_to(std::int64_t end_step) {
+  if (Result<void> applied = apply_cues(end_step); !applied) return applied;
+  if (Result<void> advanced = advance(end_step); !advanced) return advanced;
+  return check_finite();
+}
+
+Result<void> Player::play_all(std::int64_t end_step) {
+  if (Result<void> applied = apply_cues(std::nullopt); !applied) return applied;
+  if (Result<void> advanced = advance(end_step); !advanced) return advanced;
+  return check_finite();
+}
+
+Result<void> Player::settle(std::int64_t end_step) {
+  if (Result<void> advanced = advance(end_step); !advanced) return advanced;
+  return check_finite();
+}
+
+Result<void> Player::apply_cues(std::optional<std::int64_t> before_step) {
+  while (true) {
+    if (!ahead_) {
+      Result<std::optional<Cue>> cue = in_.timeline.next();
+      if (!cue) return cue.error();
+      if (!cue->has_value()) return {};
+      ahead_ = std::move(**cue);
+    }
+    if (before_step && ahead_->step >= *before_step) return {};
+    if (Result<void> advanced = advance(ahead_->step); !advanced) return advanced;
+    if (Result<void> applied = in_.hand.apply(*ahead_); !applied) return applied;
+    if (const auto* action = std::get_if<log::Action>(&ahead_->what)) {
+      if (Result<void> lit = in_.lighting.follow(*action, ahead_->step, in_.files); !lit)
+        return lit;
+    }
+    ahead_.reset();
+  }
+}
+
+Result<void> Player::advance(std::int64_t to_step) {
+  while (steps() < to_step) {
+    if (Result<void> go = in_.control.go_on(); !go) return go;
+    ++computed_;
+    const bool moved = in_.simulation.step();
+    if (computed_ % kStepsBetweenChecks == 0) {
+      if (Result<void> finite = check_finite(); !finite) return finite;
+    }
+    if (!moved && steps() < to_step) in_.simulation.skip(to_step - steps());
+    in_.control.report({"simulate", steps(), in_.total_steps});
+  }
+  return {};
+}
+
+Result<void> Player::check_finite() const {
+  const std::string where = in_.simulation.first_non_finite();
+  if (where.empty()) return {};
+  return Error{ErrorCode::kNonFinite,
+               fmt::format("step {}: {} is not finite", in_.simulation.state().step, where)};
+}
+
+}  // namespace pentimento

@@ -1,0 +1,59 @@
+#pragma once
+// Plays a timeline into a simulation, step by step, as far as the caller wants. Idle time costs
+// nothing: if a step changed nothing, the steps up to the next cue are skipped, which gives the
+// same state.
+
+#include <cstdint>
+#include <optional>
+
+#include "core/base/result.h"
+#include "core/simulation/simulation.h"
+#include "replay/job/control.h"
+#include "replay/play/hand.h"
+#include "replay/play/lighting_track.h"
+#include "replay/timeline/timeline.h"
+
+namespace pentimento {
+
+/// All references must outlive the player.
+struct PlayerInput {
+  Timeline& timeline;
+  Simulation& simulation;
+  Hand& hand;
+  LightingTrack& lighting;
+  LogFiles& files;
+  const Control& control;
+  std::int64_t total_steps = 0;  // for progress
+};
+
+class Player {
+ public:
+  explicit Player(const PlayerInput& input);
+
+  /// Plays all cues and steps before step `end_step`. Errors: kNonFinite with step and cell,
+  /// kInterrupted, and those of the log and its files.
+  Result<void> play_to(std::int64_t end_step);
+  /// Plays all cues that are left, and steps up to `end_step`.
+  Result<void> play_all(std::int64_t end_step);
+
+  /// Steps up to `end_step` without playing cues.
+  Result<void> settle(std::int64_t end_step);
+
+  /// Steps since the player began.
+  std::int64_t steps() const;
+  /// Steps that were computed, not skipped.
+  std::int64_t steps_computed() const { return computed_; }
+
+ private:
+  /// Plays the cues before a step; without a limit, all cues that are left.
+  Result<void> apply_cues(std::optional<std::int64_t> before_step);
+  Result<void> advance(std::int64_t to_step);
+  Result<void> check_finite() const;
+
+  PlayerInput in_;
+  std::int64_t first_step_;
+  std::int64_t computed_ = 0;
+  std::optional<Cue> ahead_;
+};
+
+}  // namespace pentimento

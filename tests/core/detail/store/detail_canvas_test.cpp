@@ -1,0 +1,45 @@
+#include "core/detail/store/detail_canvas.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/core/detail/painted.h"
+
+namespace pentimento {
+namespace {
+
+class PruneTest : public ::testing::Test {
+ protected:
+  PruneTest() {
+    DetailTile& tile = canvas_.at(0);
+    for (TilePlane& plane : tile.pigment) canvas_.make(plane);
+  }
+  TilePlane& plane(int pigment) {
+    return canvas_.find(0)->pigment[static_cast<std::size_t>(pigment)];
+  }
+  const DetailLayout layout_{{8, 8, 1, 1}, 4};
+  CanvasState guide_ = make_canvas_state({8, 8, 1, 1}, 2, 1, 3, 0.9f);
+  test::PlainSubstrate substrate_;
+  std::unique_ptr<TileStore> store_ = std::move(*TileStore::open(
+      {static_cast<std::size_t>(layout_.side()) * static_cast<std::size_t>(layout_.side()), "",
+       0}));
+  DetailCanvas canvas_{layout_, 2, 1, 3, substrate_, *store_};
+};
+
+TEST_F(PruneTest, FreesWhatIsEmptyInTheGuideAndHere) {
+  guide_.channel(0, 0)(3, 3) = 1;
+  canvas_.prune(0, guide_);
+  EXPECT_TRUE(plane(0));
+  EXPECT_FALSE(plane(1));
+}
+
+// At a stroke's edge fine cells keep paint in a layer that the guide's cell has merged away.
+TEST_F(PruneTest, KeepsALayerThatOnlyTheDetailHasPaintIn) {
+  guide_.channel(0, 0)(3, 3) = 1;
+  plane(1).data()[5] = 0.25f;
+  canvas_.prune(0, guide_);
+  ASSERT_TRUE(plane(1));
+  EXPECT_EQ(plane(1).data()[5], 0.25f);
+}
+
+}  // namespace
+}  // namespace pentimento

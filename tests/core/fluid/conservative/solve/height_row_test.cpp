@@ -1,0 +1,37 @@
+#include "core/fluid/conservative/solve/height_row.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+namespace pentimento::conservative {
+namespace {
+
+TEST(CrowdingRow, IsOfThePaintAloneNotOfTheBaseUnderIt) {
+  // It starts at 50 mm and is whole 10 mm above. Paint 55 mm deep, now or to come, has half of it,
+  // on a base of 0 as on one of 100 mm.
+  const Crowding crowding{0.05f, 0.01f, 200};
+  const std::array<float, 6> depth = {0.055f, 0.055f, 0.01f, 0.01f, 0.01f, 0.07f};
+  const std::array<float, 6> base = {0, 0.1f, 0, 0.1f, 0.1f, 0.1f};
+  const std::array<float, 6> height_to_come = {0.01f, 0.11f, 0.055f, 0.155f, 0.11f, 0.11f};
+  std::array<float, 6> out{};
+  crowding_row(crowding, depth.data(), base.data(), height_to_come.data(), 6, out.data());
+  const std::array<float, 6> expected = {100, 100, 100, 100, 0, 200};
+  // Heights of 0.15 m are rounded to 1e-8, of which 200 / 0.01 makes 2e-4.
+  for (std::size_t i = 0; i < 6; ++i) EXPECT_NEAR(out[i], expected[i], 1e-3f) << i;
+}
+
+TEST(HeightRhsRow, LosesWhatFlowsOutThroughEachFaceInItsOwnCells) {
+  // Through the right face 3 x 4, the left 1 x 2, the lower 5 x 6, the upper 7 x 2; dt / dx = 1/8,
+  // dt / dy = 1/4: 100 - (12 - 2) / 8 - (30 - 14) / 4.
+  const std::array<float, 2> depth_x = {1, 3}, velocity_x = {2, 4};
+  const float above[2] = {7, 2}, below[2] = {5, 6}, height = 100;
+  float rhs = 0;
+  height_rhs_row(
+      {depth_x.data() + 1, velocity_x.data() + 1, &above[0], &above[1], &below[0], &below[1]},
+      &height, 0.125f, 0.25f, 1, &rhs);
+  EXPECT_EQ(rhs, 94.75f);
+}
+
+}  // namespace
+}  // namespace pentimento::conservative

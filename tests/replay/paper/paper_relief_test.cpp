@@ -1,0 +1,81 @@
+#include "replay/paper/paper_relief.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pentimento {
+namespace {
+
+struct Facts {
+  double mean = 0, rms = 0, min = 1, max = 0;
+};
+
+Facts facts_of(const std::string& texture, int width, int height) {
+  log::PaperSpec paper;
+  paper.texture = texture;
+  paper.relief_m = 1;
+  paper.scale_m = 0.05;
+  LogFiles files("-", false);
+  const Result<Field<float>> made = paper_relief(paper, {width, height, 0.2, 0.15}, files);
+  const Field<float>& relief = *made;
+  Facts facts;
+  double squares = 0;
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const double h = static_cast<double>(relief(x, y));
+      facts.mean += h / width / height;
+      squares += h * h / width / height;
+      facts.min = std::min(facts.min, h);
+      facts.max = std::max(facts.max, h);
+    }
+  }
+  facts.rms = std::sqrt(std::max(0.0, squares - facts.mean * facts.mean));
+  return facts;
+}
+
+TEST(PaperRelief, StaysWithinTheRelief) {
+  for (const std::string& texture : builtin_papers()) {
+    const Facts facts = facts_of(texture, 400, 300);
+    EXPECT_GE(facts.min, 0.0) << texture;
+    EXPECT_LE(facts.max, 1.0) << texture;
+  }
+  EXPECT_EQ(facts_of("smooth", 40, 30).max, 0.0);
+}
+
+TEST(PaperRelief, IsTheSamePaperAtEveryResolution) {
+  // 8 and 16 cells a thread: the mean is kept to the rounding of means, the relief to what a cell
+  // of an eighth of a thread smooths away.
+  for (const char* texture : {"linen", "canvas"}) {
+    const Facts coarse = facts_of(texture, 1024, 768);
+    const Facts fine = facts_of(texture, 2048, 1536);
+    EXPECT_NEAR(coarse.mean, fine.mean, 1e-3) << texture;
+    EXPECT_NEAR(coarse.rms, fine.rms, 0.03 * fine.rms) << texture;
+    EXPECT_GT(fine.rms, 0.1) << texture;
+  }
+}
+
+TEST(PaperRelief, ThreadsFinerThanACellVanish) {
+  // 24 cells over 4 repeats of 32 threads: 5 threads a cell leave a tenth of the relief at most.
+  EXPECT_LT(facts_of("linen", 24, 18).rms, 0.1 * facts_of("linen", 2048, 1536).rms);
+}
+
+TEST(PaperRelief, TheRepeatCloses) {
+  log::PaperSpec paper;
+  paper.relief_m = 1;
+  paper.scale_m = 0.1;
+  LogFiles files("-", false);
+  for (const char* texture : {"linen", "canvas", "paper"}) {
+    paper.texture = texture;
+    const Result<Field<float>> made = paper_relief(paper, {256, 256, 0.2, 0.2}, files);
+    const Field<float>& relief = *made;
+    for (int x = 0; x < 128; ++x) {
+      EXPECT_NEAR(relief(x, 5), relief(x + 128, 5), 1e-5) << texture;
+      EXPECT_NEAR(relief(x, 5), relief(x, 133), 1e-5) << texture;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace pentimento
