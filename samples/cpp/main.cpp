@@ -68,6 +68,6 @@ int main(int argc, char** argv) {
   wall(**easel);
   flower(**easel, 0.27, 0.27, 0.11);
   flower(**easel, 0.15, 0.14, 0.13);
-  const Result<Published> picture = (*easel)->write_png(argc > 1 ? argv[1] : "sunflowers.png");
+  const Result<Published> picture = (*easel)->write_png(argc > 1 ? argv[1] : "sunflowers.png", 432);
   if (!picture) return std::fprintf(stderr, "%s\n", picture.error().message.c_str()), 1;
 }
