@@ -126,20 +126,25 @@ class InstallTest(unittest.TestCase):
         self.assertIn("-ffp-contract=off", configured.stdout)
         self.assertNotRegex(configured.stdout, r"-W|-fsanitize|-fno|pentimento_options")
 
-    def test_the_sample_builds_runs_and_paints(self):
-        build, picture = self.scratch / "sample", self.scratch / "sunflowers.png"
+    def test_the_samples_build_run_and_paint(self):
+        build = self.scratch / "sample"
         configured = self.configure(ROOT / "samples/cpp", build)
         self.assertEqual(configured.returncode, 0, configured.stderr)
         built = run("cmake", "--build", build)
         self.assertEqual(built.returncode, 0, built.stdout)
-        painted = run(build / "sunflowers", picture)
+        for name, wanted in (("hill", (400, 300)), ("sunflowers", (432, 432))):
+            with self.subTest(name):
+                self.assert_paints(build / name, ROOT / f"samples/cpp/{name}.png", wanted)
+
+    def assert_paints(self, program, frozen, wanted):
+        picture = self.scratch / frozen.name
+        painted = run(program, picture)
         self.assertEqual(painted.returncode, 0, painted.stderr)
         # Two levels of 8 bits: one for another machine's shader compiler, one for rounding.
-        same = run(self.prefix / "bin/pentimento", "compare", ROOT / "samples/cpp/sunflowers.png",
-                   picture, "--max", "0.0079")
+        same = run(self.prefix / "bin/pentimento", "compare", frozen, picture, "--max", "0.0079")
         self.assertEqual(same.returncode, 0, same.stdout + same.stderr)
         width, height, rows = pixels(picture)
-        self.assertEqual((width, height), (432, 432))
+        self.assertEqual((width, height), wanted)
         # A blank canvas has a handful of codes, a painted one nearly all.
         self.assertGreater(len(set(rows)), 200)
 

@@ -101,16 +101,16 @@ TEST(Touches, TheLowestFreeHandIsTaken) {
   hand.add(0.2, hand.touch(TouchPhase::kUp, 0.1, 11));
   hand.add(0.3, hand.touch(TouchPhase::kDown, 0.3, 13), 3);
   hand.add(0.4, hand.touch(TouchPhase::kDown, 0.4, 14), 4);
-  std::vector<int> hands;
+  std::vector<int> slots;
   std::vector<std::uint32_t> strokes;
   while (!hand.queue.empty()) {
     const PendingCue cue = hand.queue.pop();
     if (const auto* begin = std::get_if<StrokeBegin>(&cue.cue.what)) {
-      hands.push_back(begin->slot);
+      slots.push_back(begin->slot);
       strokes.push_back(begin->stroke_id);
     }
   }
-  EXPECT_EQ(hands, (std::vector<int>{0, 1, 0, 2}));
+  EXPECT_EQ(slots, (std::vector<int>{0, 1, 0, 2}));
   EXPECT_EQ(strokes, (std::vector<std::uint32_t>{1, 2, 3, 4}));
 }
 
