@@ -106,7 +106,7 @@ bool ConservativeScheme::step(CanvasState& state, const StepInput& in) {
 void ConservativeScheme::part_of_step(CanvasState& state, const StepInput& in, int part) {
   // 3. Advection: carries paint and momentum with the velocity that the state holds. The axes take
   // turns in being the first, so that neither is favoured.
-  transport(state, in, (state.step + part) % 2 == 0);
+  advect(state, in, (state.step + part) % 2 == 0);
   // 4. Rheology and faces: finds how the paint that arrived resists motion, ...
   for_runs(in.threads, tiles_->runs(), [&](const Run& r) { find_rheology(state, in, r); });
   passed("rheology");
@@ -125,7 +125,7 @@ void ConservativeScheme::part_of_step(CanvasState& state, const StepInput& in, i
   passed("height");
 }
 
-void ConservativeScheme::transport(CanvasState& state, const StepInput& in, bool even) {
+void ConservativeScheme::advect(CanvasState& state, const StepInput& in, bool even) {
   // Each axis is one sweep. The second sweep takes what the first one left.
   const Axis first = even ? Axis::kX : Axis::kY;
   const Axis second = even ? Axis::kY : Axis::kX;

@@ -37,7 +37,7 @@ class ConservativeScheme : public FluidScheme {
     if (passed_) passed_(pass);
   }
   void part_of_step(CanvasState& state, const StepInput& in, int part);
-  void transport(CanvasState& state, const StepInput& in, bool even);
+  void advect(CanvasState& state, const StepInput& in, bool even);
   void apply_viscosity(const CanvasState& state, const StepInput& in);
   void solve_height(CanvasState& state, const StepInput& in);
   // These work on one run:
