@@ -279,7 +279,7 @@ TEST(CommandRender, DryRunTellsAndWritesNothing) {
   EXPECT_EQ(json_member(dump.out, "disk_bytes"), std::to_string(4800 * 15 * 4));
 }
 
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // whose memory adds to it
+#if !defined(PENTIMENTO_SANITIZED)  // whose memory adds to it
 TEST(CommandRender, WhatADryRunForeseesIsNearWhatTheRenderTakes) {
   const Workplace place;
   const std::string options = "render a.jsonl -o a.h5 -o a.png --scale 8 --json";
