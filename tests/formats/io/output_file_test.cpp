@@ -187,6 +187,16 @@ TEST(OutputFile, NoClobberKeepsTheOldFile) {
   EXPECT_EQ(slurp(path), "one");
 }
 
+TEST(OutputFile, NoClobberRefusesAnOldFileBeforeAnythingIsComputed) {
+  const Scratch scratch;
+  const std::string path = scratch.path("a.bin");
+  spill(path, "old");
+  const auto file = OutputFile::create(path, true);
+  ASSERT_FALSE(file);
+  EXPECT_EQ(file.error().message, path + ": File exists");
+  EXPECT_EQ(scratch.files(), 1u);
+}
+
 TEST(OutputFile, NoClobberKeepsAFileThatAppearsMeanwhile) {
   const Scratch scratch;
   const std::string path = scratch.path("a.bin");

@@ -59,6 +59,29 @@ TEST(ConservativeScheme, SlopesCountEachAxisByItsOwnCells) {
   EXPECT_NEAR(b.state.velocity_y_m_s(16, 16) / (-1e-4f * 9.81f * 0.002f), 1, 0.01f);
 }
 
+/// The velocity that one step of 0.1 ms without gravity gives a film, 1 um higher from cell to cell
+/// of 1 mm, at a face whose deeper cell is `deep_frac` of max_medium, 5 mm.
+float pushed_by_crowding(float deep_frac) {
+  Basin b({32, 32, 0.032, 0.032});
+  b.model = ideal_fluid(0.005);
+  b.model.max_medium_m = 0.005f;
+  b.gravity_m_s2 = {0, 0, 0};
+  b.dt_s = 1e-4f;
+  b.fill_depth([&](int x, int) {
+    return deep_frac * b.model.max_medium_m + 1e-6f * static_cast<float>(x - 17);
+  });
+  b.step();
+  return b.state.velocity_x_m_s(16, 16);
+}
+
+TEST(ConservativeScheme, PaintOverMaxMediumPushesBack) {
+  // Nothing while the canvas can carry it. Then 200 m/s^2 at a fifth over it, half at a tenth:
+  // u = -dt crowding slope.
+  EXPECT_EQ(pushed_by_crowding(0.98f), 0);
+  // Depths are whole quanta, less than 1 % of a micrometre.
+  EXPECT_NEAR(pushed_by_crowding(1.1f) / (-1e-4f * 100 * 0.001f), 1, 0.01f);
+}
+
 /// A blob that runs down an uneven canvas of cells twice as long as wide; `turned`: with x and y
 /// exchanged, and so the order of the axes.
 Basin blob(bool turned) {
