@@ -247,7 +247,8 @@ GlossTable make_gloss_table(const Panorama& probe, const GlossSurface& surface,
   threads.for_ranges(0, kSide * kLevels, 1, [&](int begin, int end) {
     std::vector<float> weights;
     for (int line = begin; line < end; ++line) {
-      const double a = dry + (wet - dry) * (line / kSide) / (kLevels - 1);
+      const int level = line / kSide;
+      const double a = dry + (wet - dry) * level / (kLevels - 1);
       const Sources* source = &all.front();
       for (const Sources& s : all) {
         if (s.texel_rad() <= kFinest * a) source = &s;

@@ -50,7 +50,8 @@ void add_measured(std::vector<Example>& examples) {
 /// Smooth colours across sRGB, as opaque paints that scatter alike.
 void add_smooth(std::vector<Example>& examples) {
   for (int i = 0; i < 27; ++i) {
-    const Spectrum color = upsample({(i % 3) / 2.0, (i / 3 % 3) / 2.0, (i / 9) / 2.0});
+    const int red = i % 3, green = i / 3 % 3, blue = i / 9;
+    const Spectrum color = upsample({red / 2.0, green / 2.0, blue / 2.0});
     Example e{{}, {}, -1};
     e.S.fill(1);
     for (std::size_t s = 0; s < color.size(); ++s) {
