@@ -46,12 +46,16 @@ double elapsed(double work, double shared_frac, int threads) {
 }  // namespace
 
 double cell_step_seconds(const LogSession& session) {
-  constexpr int kSteps = 2, kProbes = 32;
+  constexpr int kSteps = 2, kProbes = 32, kPatience = 6;
   const Threads one(1);  // threads that wait for each other take processor time too
-  // The fastest of several: others can only slow one down (caches, clock rate, a shared core).
+  // The fastest of several: others can only slow one down (caches, clock rate, a shared core). Six
+  // in a row that are no faster end the search.
   double least_s = processor_seconds(session, one, kSteps);
-  for (int i = 1; i < kProbes; ++i)
-    least_s = std::min(least_s, processor_seconds(session, one, kSteps));
+  for (int probe = 1, vain = 0; probe < kProbes && vain < kPatience; ++probe) {
+    const double taken_s = processor_seconds(session, one, kSteps);
+    vain = taken_s < 0.99 * least_s ? 0 : vain + 1;
+    least_s = std::min(least_s, taken_s);
+  }
   return least_s / kSteps / (static_cast<double>(kSmall.width) * kSmall.height);
 }
 

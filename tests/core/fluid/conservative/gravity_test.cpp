@@ -9,6 +9,12 @@
 namespace pentimento::conservative {
 namespace {
 
+#if defined(PENTIMENTO_SANITIZED)
+constexpr int kShare = 2;  // of each side of the canvas: the sanitizers are 25 times slower
+#else
+constexpr int kShare = 1;
+#endif
+
 // A wet canvas at the grid's own scale: 3 mm of runny paint with thicker patches, on a weave.
 Basin wet_canvas(int width, int height) {
   Basin b({width, height, width / 1024.0, height / 1024.0});
@@ -39,7 +45,7 @@ struct Pose {
 TEST(ConservativeScheme, SurvivesEveryGravity) {
   for (const Pose& pose : {Pose{"face down", {0, 0, -9.81f}}, Pose{"free fall", {0, 0, 0}},
                            Pose{"upright", {0, -9.81f, 0}}, Pose{"overhead", {5, -5, -6}}}) {
-    Basin b = wet_canvas(96, 96);
+    Basin b = wet_canvas(96 / kShare, 96 / kShare);
     const double depth = total(b.state.depth_m);
     const double pigment = total(b.state.channel(0, 0));
     b.gravity_m_s2 = pose.gravity_m_s2;
@@ -50,7 +56,7 @@ TEST(ConservativeScheme, SurvivesEveryGravity) {
 
 TEST(ConservativeScheme, SurvivesShakingAt10Hz) {
   for (const float gz : {0.0f, 9.81f}) {
-    Basin b = wet_canvas(96, 96);
+    Basin b = wet_canvas(96 / kShare, 96 / kShare);
     const double depth = total(b.state.depth_m);
     const double pigment = total(b.state.channel(0, 0));
     for (int i = 0; i < 225; ++i) {
@@ -67,7 +73,7 @@ TEST(ConservativeScheme, SurvivesShakingAt10Hz) {
 // reads in units of g, x right, y up, z out, gravity and the hand's own acceleration. Lying face up
 // it reads z = -1, so that the specific force is its negative.
 std::vector<std::pair<double, Vec3f>> carried() {
-  std::ifstream in(std::string(PENTIMENTO_SAMPLES) + "/data/gravity/iphone_balance.csv");
+  std::ifstream in(PENTIMENTO_SAMPLES "/data/gravity/iphone_balance.csv");
   std::vector<std::pair<double, Vec3f>> out;
   std::string line;
   std::getline(in, line);  // names of the columns
@@ -88,7 +94,7 @@ std::vector<std::pair<double, Vec3f>> carried() {
 TEST(ConservativeScheme, SurvivesBeingPickedUpAndCarried) {
   const auto readings = carried();
   ASSERT_GT(readings.size(), 1000u);
-  Basin b = wet_canvas(64, 48);
+  Basin b = wet_canvas(64 / kShare, 48 / kShare);
   const double depth = total(b.state.depth_m);
   const double pigment = total(b.state.channel(0, 0));
   std::size_t k = 0;
