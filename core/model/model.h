@@ -14,6 +14,9 @@ enum class OpticalThickness { kAmount, kDepth };
 /// The most layers that a cell can have. Kernels keep that many on their stacks.
 inline constexpr int kMaxLayers = 8;
 
+/// Of linseed oil with a little turpentine. Only forces of a surface need it.
+inline constexpr float kPaintDensity_kg_m3 = 950;
+
 struct Model {
   SchemeKind scheme = SchemeKind::kConservative;
   int layers = 2;                        // 1..kMaxLayers
@@ -40,11 +43,12 @@ struct Model {
   float sleep_tile_m = 1.0f / 32;  // side of a tile that sleeps or wakes as a whole
   float front_depth_m = 0.0025f;   // films less deep at the edge do not wet bare canvas; 0 = all do
   float front_reach_m = 0.004f;    // over which the depth at an edge is taken
-  float wake_gravity_m_s2 = 0.05f;  // a change of gravity that wakes sleeping paint
-  float most_cells_moved = 1.2f;    // faster paint makes a step of several parts...
-  int most_parts_of_step = 8;       // ...but not of more than these
-  int viscosity_cycles = 2;         // V-cycles per step and velocity component
-  int height_cycles = 3;            // V-cycles per step
+  float surface_tension_N_m = 0.032f;  // of oil; 0 = the surface has none
+  float wake_gravity_m_s2 = 0.05f;     // a change of gravity that wakes sleeping paint
+  float most_cells_moved = 1.2f;       // faster paint makes a step of several parts...
+  int most_parts_of_step = 8;          // ...but not of more than these
+  int viscosity_cycles = 2;            // V-cycles per step and velocity component
+  int height_cycles = 3;               // V-cycles per step
 
   // Brush and transfer (R21-R28).
   float film_medium_m = 0.002f;    // one pass deposits this at full medium slider (tip's mean)
@@ -68,6 +72,8 @@ struct Model {
   /// Pigment per volume (1/m) below which paint flows freely, and above which it stands (Table 1).
   float alpha_per_m() const { return gamma * max_pigment / max_medium_m; }
   float beta_per_m() const { return zeta * max_pigment / max_medium_m; }
+  /// Surface tension over the density of paint, sigma / rho. The length sqrt(s / 9.81) is 1.8 mm.
+  float tension_m3_s2() const { return surface_tension_N_m / kPaintDensity_kg_m3; }
   /// Films thinner than this feel no gravity (R15).
   float dry_film_m() const { return gravity_cutoff_frac * max_medium_m; }
 };

@@ -8,6 +8,7 @@
 #include "core/fluid/conservative/advection/advection.h"
 #include "core/fluid/conservative/advection/face_row.h"
 #include "core/fluid/conservative/contact_line.h"
+#include "core/fluid/conservative/solve/capillary_row.h"
 #include "core/fluid/conservative/solve/force_row.h"
 #include "core/fluid/conservative/solve/height_row.h"
 #include "core/fluid/conservative/solve/viscous_row.h"
@@ -19,6 +20,23 @@ namespace pentimento::conservative {
 namespace {
 
 constexpr float kCrowdedFrac = 0.2f;  // of max_medium: the depth over which crowding rises
+
+// Share of the present motion that 6. expects to go on. The explicit half of the tension looks at
+// the surface that this leads to. With 0, waves of a few cells on thick films decay several times
+// too slowly, for the implicit half lags a step behind; with 1, films of a centimetre swing.
+constexpr float kGoesOn = 0.9f;
+
+// The stiffest coupling that the tension may have, dt^2 K d s L^2 (capillary_row.h): what a few
+// V-cycles leave of it must be small against the surface itself. With 2000, waves of the grid grow
+// on films of a centimetre. On long cells the cycles do less: with 100 they grow on cells of 1
+// by 2.
+float stiffest(float dx_m, float dy_m) {
+  constexpr float kOfSquareCells = 600;
+  const float ratio = dx_m < dy_m ? dx_m / dy_m : dy_m / dx_m;
+  return kOfSquareCells * ratio * ratio * ratio;
+}
+
+constexpr float kLeastFilm_m = 5e-5f;  // thinner paint follows the weave: it has no surface
 
 float cap_of(const Model& model) {
   return model.speed_cap_m_s > 0 ? model.speed_cap_m_s : 1e9f;  // 0 = off
@@ -116,6 +134,9 @@ void ConservativeScheme::part_of_step(CanvasState& state, const StepInput& in, i
   // ... and holds the films that are too shallow to advance over bare canvas.
   pin_edges(state, in);
   passed("edges");
+  // ... and foresees where the surface comes to if all goes on as it moves.
+  for_runs(in.threads, tiles_->runs(), [&](const Run& r) { foresee_surface(state, in, r); });
+  passed("surface");
   // 5. Viscosity: evens out the velocity inside each film.
   apply_viscosity(state, in);
   passed("viscosity");
@@ -203,6 +224,14 @@ void ConservativeScheme::pin_edges(const CanvasState& state, const StepInput& in
   });
 }
 
+void ConservativeScheme::foresee_surface(const CanvasState& state, const StepInput& in,
+                                         const Run& r) {
+  // 4d. h - kGoesOn dt div(d u~).
+  const float dt_s = kGoesOn * in.dt_s;
+  height_rhs_row(fluxes(r), work_.height_m.row(r.y) + r.x0, dt_s / state.geometry.dx_m(),
+                 dt_s / state.geometry.dy_m(), r.size(), work_.surface_m.row(r.y) + r.x0);
+}
+
 void ConservativeScheme::apply_viscosity(const CanvasState& state, const StepInput& in) {
   Multigrid& solver = work_.solver;
   const float per_dx2 = in.dt_s / (state.geometry.dx_m() * state.geometry.dx_m());
@@ -230,8 +259,24 @@ void ConservativeScheme::apply_viscosity(const CanvasState& state, const StepInp
   }
 }
 
-void ConservativeScheme::apply_forces(const StepInput& in, const Run& r) {
-  // 6. Gravity and bed friction: u* = friction (u - dt mobility g), on the faces of one run.
+// 6a. Between which cells paint has one surface. The weights lie on planes that the solver does not
+// need yet.
+void ConservativeScheme::find_films(const CanvasState& state, const Run& r) {
+  const auto weigh = [&](Axis axis, float cell_m, float* weight) {
+    std::fill_n(weight + r.x0, r.size(), 0.0f);
+    for_open_faces(*tiles_, axis, r, [&](int x, int n) {
+      const float* a = state.depth_m.row(r.y) + x;
+      const float* b = axis == Axis::kX ? a + 1 : state.depth_m.row(r.y + 1) + x;
+      film_weight_row(a, b, kLeastFilm_m, 1 / (cell_m * cell_m), n, weight + x);
+    });
+  };
+  weigh(Axis::kX, state.geometry.dx_m(), work_.solver.cx().row(r.y));
+  weigh(Axis::kY, state.geometry.dy_m(), work_.solver.cy().row(r.y));
+}
+
+// 6b. The head of that surface's curvature. Gravity and bed friction: u* = friction (u - dt
+// mobility g), on the faces of one run.
+void ConservativeScheme::apply_gravity(const StepInput& in, const Run& r) {
   const auto apply = [&](NodePlanes& n, float speed) {
     const LateralGravity g{speed, in.model.dry_film_m(), in.model.phi_scales_lateral};
     force_row(g, n.depth_m.row(r.y) + r.x0, n.mobility_frac.row(r.y) + r.x0,
@@ -239,29 +284,62 @@ void ConservativeScheme::apply_forces(const StepInput& in, const Run& r) {
   };
   apply(work_.x, in.dt_s * in.gravity_m_s2.x);
   apply(work_.y, in.dt_s * in.gravity_m_s2.y);
+  Multigrid& solver = work_.solver;
+  const WorkPlane& surface = work_.surface_m;
+  const int x = r.x0;
+  curvature_row({surface.row(r.y - 1) + x, surface.row(r.y) + x, surface.row(r.y + 1) + x,
+                 solver.cx().row(r.y) + x, solver.cy().row(r.y - 1) + x, solver.cy().row(r.y) + x},
+                in.model.tension_m3_s2(), r.size(), solver.zero_order().row(r.y) + x);
 }
 
-// 7a. The right side of the height equation, and the crowding: paint that would come deeper than
-// max_medium pushes back.
-void ConservativeScheme::fill_height(const CanvasState& state, const StepInput& in, const Run& r) {
-  Multigrid& solver = work_.solver;
+FluxRow ConservativeScheme::fluxes(const Run& r) const {
+  const auto here = [&](const WorkPlane& p) { return p.row(r.y) + r.x0; };
+  const auto above = [&](const WorkPlane& p) { return p.row(r.y - 1) + r.x0; };
+  return {here(work_.x.depth_m),       here(work_.x.velocity_m_s), above(work_.y.depth_m),
+          above(work_.y.velocity_m_s), here(work_.y.depth_m),      here(work_.y.velocity_m_s)};
+}
+
+// 6c. Crowding: paint that would come deeper than max_medium pushes back.
+void ConservativeScheme::find_crowding(const CanvasState& state, const StepInput& in,
+                                       const Run& r) {
   const float full = in.model.max_medium_m;
   const Crowding crowding{full, kCrowdedFrac * full, in.model.crowding_m_s2};
-  const int x = r.x0;
-  const int y = r.y;
-  const FluxRow f{work_.x.depth_m.row(y) + x,     work_.x.velocity_m_s.row(y) + x,
-                  work_.y.depth_m.row(y - 1) + x, work_.y.velocity_m_s.row(y - 1) + x,
-                  work_.y.depth_m.row(y) + x,     work_.y.velocity_m_s.row(y) + x};
-  float* rhs = solver.rhs().row(y) + x;
-  height_rhs_row(f, work_.height_m.row(y) + x, in.dt_s / state.geometry.dx_m(),
-                 in.dt_s / state.geometry.dy_m(), r.size(), rhs);
-  crowding_row(crowding, state.depth_m.row(y) + x, state.base_m.row(y) + x, rhs, r.size(),
-               work_.crowding_m_s2.row(y) + x);
+  float* crowded = work_.crowding_m_s2.row(r.y) + r.x0;
+  height_rhs_row(fluxes(r), work_.height_m.row(r.y) + r.x0, in.dt_s / state.geometry.dx_m(),
+                 in.dt_s / state.geometry.dy_m(), r.size(), crowded);
+  crowding_row(crowding, state.depth_m.row(r.y) + r.x0, state.base_m.row(r.y) + r.x0, r.size(),
+               crowded);
 }
 
-void ConservativeScheme::fill_pressure(const CanvasState& state, const StepInput& in,
+// 6d. Surface tension, and gravity that pulls paint off the canvas.
+void ConservativeScheme::apply_tension(const CanvasState& state, const StepInput& in,
                                        const Run& r) {
-  // 7b. The couplings of the height equation: the speed that a face gains per unit slope.
+  const float dx = state.geometry.dx_m();
+  const float dy = state.geometry.dy_m();
+  const float tension = in.model.tension_m3_s2();
+  // Paint that hangs needs the tension: without it, its shortest waves would grow fastest (A13).
+  const float hanging = tension > 0 ? positive(-in.gravity_m_s2.z) : 0.0f;
+  const auto apply = [&](NodePlanes& n, int down, float cell_m, const WorkPlane& weight) {
+    const auto here = [&](const WorkPlane& p) { return p.row(r.y) + r.x0; };
+    const auto next = [&](const WorkPlane& p) { return p.row(r.y + down) + r.x0 + 1 - down; };
+    const WorkPlane& head = work_.solver.zero_order();
+    const WorkPlane& surface = work_.surface_m;
+    capillary_force_row(
+        {in.dt_s, 1 / cell_m, tension, 4 / (dx * dx) + 4 / (dy * dy), stiffest(dx, dy), hanging},
+        {here(weight), here(n.depth_m), here(n.mobility_frac), here(n.friction_frac), here(head),
+         next(head), here(surface), next(surface)},
+        r.size(), n.velocity_m_s.row(r.y) + r.x0, n.pressure_m_s.row(r.y) + r.x0);
+  };
+  apply(work_.x, 0, dx, work_.solver.cx());
+  apply(work_.y, 1, dy, work_.solver.cy());
+}
+
+// 7a. The right side of the height equation, and its couplings: the speed that a face gains per
+// unit slope.
+void ConservativeScheme::fill_height(const CanvasState& state, const StepInput& in, const Run& r) {
+  Multigrid& solver = work_.solver;
+  height_rhs_row(fluxes(r), work_.height_m.row(r.y) + r.x0, in.dt_s / state.geometry.dx_m(),
+                 in.dt_s / state.geometry.dy_m(), r.size(), solver.rhs().row(r.y) + r.x0);
   const float gravity = positive(in.gravity_m_s2.z);
   const auto pressure = [&](NodePlanes& n, int down, float cell_m, WorkPlane& c) {
     const float* crowded = work_.crowding_m_s2.row(r.y) + r.x0;
@@ -271,12 +349,12 @@ void ConservativeScheme::fill_pressure(const CanvasState& state, const StepInput
                  in.dt_s * gravity, in.dt_s, in.dt_s * (1 / (cell_m * cell_m)), r.size(),
                  n.pressure_m_s.row(r.y) + r.x0, c.row(r.y) + r.x0);
   };
-  pressure(work_.x, 0, state.geometry.dx_m(), work_.solver.cx());
-  pressure(work_.y, 1, state.geometry.dy_m(), work_.solver.cy());
+  pressure(work_.x, 0, state.geometry.dx_m(), solver.cx());
+  pressure(work_.y, 1, state.geometry.dy_m(), solver.cy());
 }
 
 void ConservativeScheme::finish(CanvasState& state, const StepInput& in, const Run& r) {
-  // 7d. The solved height drives the velocity; then the cap and the threshold act (R14).
+  // 7c. The solved height drives the velocity; then the cap and the threshold act (R14).
   const FinishLimits limits{in.model.velocity_threshold_m_s, cap_of(in.model)};
   const WorkPlane& height = work_.solver.solution();
   const auto one = [&](const NodePlanes& n, int down, float per_d, Field<float>& out) {
@@ -291,16 +369,21 @@ void ConservativeScheme::finish(CanvasState& state, const StepInput& in, const R
 
 // 6. and 7. The solver calls the parts of both on each row while that row is in the cache.
 void ConservativeScheme::solve_height(CanvasState& state, const StepInput& in) {
-  const float nearest = std::min(state.geometry.dx_m(), state.geometry.dy_m());
-  const float strongest = (positive(in.gravity_m_s2.z) + in.model.crowding_m_s2) * in.dt_s *
+  const float dx = state.geometry.dx_m();
+  const float dy = state.geometry.dy_m();
+  const float nearest = std::min(dx, dy);
+  const float held = in.model.tension_m3_s2() * (4 / (dx * dx) + 4 / (dy * dy));
+  const float strongest = (positive(in.gravity_m_s2.z) + held + in.model.crowding_m_s2) * in.dt_s *
                           in.dt_s * in.model.max_medium_m / (nearest * nearest);
-  // 7c. The solve: h' - dt div(d K grad h') = h - dt div(d u*), K the pressure of 7b.
+  // 7b. The solve: h' - dt div(d K grad h') = h - dt div(d u*), K the pressure of 7a.
   work_.solver.solve(in.model.height_cycles, work_.solver.levels_for(strongest), in.threads,
                      {.guess = &work_.height_m,
                       .unit_zero_order = true,
-                      .fill = {[&](const Run& r) { apply_forces(in, r); },
-                               [&](const Run& r) { fill_height(state, in, r); },
-                               [&](const Run& r) { fill_pressure(state, in, r); }},
+                      .fill = {[&](const Run& r) { find_films(state, r); },
+                               [&](const Run& r) { apply_gravity(in, r); },
+                               [&](const Run& r) { find_crowding(state, in, r); },
+                               [&](const Run& r) { apply_tension(state, in, r); },
+                               [&](const Run& r) { fill_height(state, in, r); }},
                       .finish = [&](const Run& r) { finish(state, in, r); }});
 }
 

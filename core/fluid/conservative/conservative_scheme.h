@@ -15,6 +15,7 @@
 #include <memory>
 #include <utility>
 
+#include "core/fluid/conservative/solve/height_row.h"
 #include "core/fluid/conservative/solve/workspace.h"
 #include "core/fluid/conservative/tiles/sleep_tiles.h"
 #include "core/fluid/scheme.h"
@@ -44,9 +45,13 @@ class ConservativeScheme : public FluidScheme {
   void find_rheology(const CanvasState& state, const StepInput& in, const Run& r);
   void find_faces(const CanvasState& state, const StepInput& in, const Run& r);
   void pin_edges(const CanvasState& state, const StepInput& in);
-  void apply_forces(const StepInput& in, const Run& r);
+  FluxRow fluxes(const Run& r) const;
+  void foresee_surface(const CanvasState& state, const StepInput& in, const Run& r);
+  void find_films(const CanvasState& state, const Run& r);
+  void apply_gravity(const StepInput& in, const Run& r);
+  void find_crowding(const CanvasState& state, const StepInput& in, const Run& r);
+  void apply_tension(const CanvasState& state, const StepInput& in, const Run& r);
   void fill_height(const CanvasState& state, const StepInput& in, const Run& r);
-  void fill_pressure(const CanvasState& state, const StepInput& in, const Run& r);
   void finish(CanvasState& state, const StepInput& in, const Run& r);
   bool feels_gravity(const CellBox& box) const;
   void account(const CanvasState& state, const StepInput& in);

@@ -23,14 +23,13 @@ void height_rhs_row(const FluxRow& f, const float* __restrict height_m, float dt
 
 PENTIMENTO_KERNEL
 void crowding_row(const Crowding& c, const float* __restrict depth_m,
-                  const float* __restrict base_m, const float* __restrict rhs, int n,
-                  float* __restrict crowding_m_s2) {
+                  const float* __restrict base_m, int n, float* __restrict crowding_m_s2) {
   const float from = c.from_m;
   const float most = c.most_m_s2;
   const float per_m = most / c.range_m;
   PENTIMENTO_INDEPENDENT
   for (int i = 0; i < n; ++i) {
-    const float to_come = rhs[i] - base_m[i];
+    const float to_come = crowding_m_s2[i] - base_m[i];
     const float depth = depth_m[i] > to_come ? depth_m[i] : to_come;
     const float pressure = per_m * (depth - from);
     const float positive = pressure > 0 ? pressure : 0.0f;
@@ -49,7 +48,8 @@ void pressure_row(const PressureRow& f, float dt_gravity_m_s, float dt_s, float 
   PENTIMENTO_INDEPENDENT
   for (int i = 0; i < n; ++i) {
     const float crowding = crowding_a[i] > crowding_b[i] ? crowding_a[i] : crowding_b[i];
-    const float k = friction[i] * (dt_gravity_m_s * mobility[i] + dt_s * crowding);
+    const float dt_gravity = dt_gravity_m_s + dt_s * pressure_m_s[i];
+    const float k = friction[i] * (dt_gravity * mobility[i] + dt_s * crowding);
     pressure_m_s[i] = k;
     coupling[i] = k * depth[i] * dt_per_dx2;
   }

@@ -30,14 +30,15 @@ struct Crowding {
 };
 
 /// Crowding: pressure of paint that is deeper than a canvas carries.
-///   crowding = most clamp((max(d, rhs - b) - from) / range, 0, 1); rhs - b: depth to come
+///   crowding = most clamp((max(d, h' - b) - from) / range, 0, 1); h' - b: depth to come
+/// `crowding_m_s2` has h' on entry.
 /// Scheme: pointwise, from the depth that would come without it.
 /// Stable: enters an implicit solve.
 /// Source: ours. Without it, paint that feels no gravity across the canvas (stiff, face down, free
 ///   fall) is a pressureless fluid and piles up without bound where it converges.
 /// Departs from it: nothing.
-void crowding_row(const Crowding& c, const float* depth_m, const float* base_m, const float* rhs,
-                  int n, float* crowding_m_s2);
+void crowding_row(const Crowding& c, const float* depth_m, const float* base_m, int n,
+                  float* crowding_m_s2);
 
 /// A row of faces, and the cells a and b on their two sides.
 struct PressureRow {
@@ -49,11 +50,13 @@ struct PressureRow {
 };
 
 /// Coefficients of the height equation on faces.
-///   K = dt friction (mobility max(gz, 0) + max(crowding_a, crowding_b)); coupling = K d_f dt/dx^2
+///   K = dt friction (mobility (max(gz, 0) + held) + max(crowding_a, crowding_b));
+///   coupling = K d_f dt/dx^2
+/// `pressure_m_s` has held (capillary_row.h) on entry and K on return.
 /// Scheme: backward Euler: h' - dt div(d_f K grad h') = rhs.
 /// Stable: any dt; symmetric, positive definite.
 /// Source: R6, R7 (A13: never negative); Casulli 1999.
-/// Departs from it: crowding.
+/// Departs from it: crowding; held.
 void pressure_row(const PressureRow& f, float dt_gravity_m_s, float dt_s, float dt_per_dx2, int n,
                   float* pressure_m_s, float* coupling);
 

@@ -10,7 +10,8 @@ void for_planes(Workspace& w, const Visit& visit) {
          {&n->mass_m, &n->first_mass_m, &n->velocity_m_s, &n->depth_m, &n->mobility_frac,
           &n->viscosity_m2_s, &n->friction_frac, &n->pressure_m_s})
       visit(*p);
-  for (WorkPlane* p : {&w.height_m, &w.mobility_frac, &w.viscosity_m2_s, &w.crowding_m_s2})
+  for (WorkPlane* p :
+       {&w.height_m, &w.surface_m, &w.mobility_frac, &w.viscosity_m2_s, &w.crowding_m_s2})
     visit(*p);
 }
 

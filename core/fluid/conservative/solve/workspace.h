@@ -19,7 +19,7 @@ struct NodePlanes {
   WorkPlane mobility_frac;   // 1 - Phi, 0 where the film is too thin to feel gravity
   WorkPlane viscosity_m2_s;  // nu, at least the floor
   WorkPlane friction_frac;   // what bed friction leaves of a velocity in one step
-  WorkPlane pressure_m_s;    // speed gained per unit slope of the height
+  WorkPlane pressure_m_s;    // `held` (capillary_row.h), then speed gained per unit slope
 };
 
 struct Workspace {
@@ -28,6 +28,7 @@ struct Workspace {
 
   NodePlanes x, y;
   WorkPlane height_m;       // h = b + d of cells
+  WorkPlane surface_m;      // of cells: the height that the paint's motion leads to
   WorkPlane mobility_frac;  // of cells
   WorkPlane viscosity_m2_s;
   WorkPlane crowding_m_s2;  // of cells: pressure of too much paint, per metre of height

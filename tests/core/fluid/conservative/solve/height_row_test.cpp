@@ -13,12 +13,21 @@ TEST(CrowdingRow, IsOfThePaintAloneNotOfTheBaseUnderIt) {
   const Crowding crowding{0.05f, 0.01f, 200};
   const std::array<float, 6> depth = {0.055f, 0.055f, 0.01f, 0.01f, 0.01f, 0.07f};
   const std::array<float, 6> base = {0, 0.1f, 0, 0.1f, 0.1f, 0.1f};
-  const std::array<float, 6> height_to_come = {0.01f, 0.11f, 0.055f, 0.155f, 0.11f, 0.11f};
-  std::array<float, 6> out{};
-  crowding_row(crowding, depth.data(), base.data(), height_to_come.data(), 6, out.data());
+  std::array<float, 6> out = {0.01f, 0.11f, 0.055f, 0.155f, 0.11f, 0.11f};  // heights to come
+  crowding_row(crowding, depth.data(), base.data(), 6, out.data());
   const std::array<float, 6> expected = {100, 100, 100, 100, 0, 200};
   // Heights of 0.15 m are rounded to 1e-8, of which 200 / 0.01 makes 2e-4.
   for (std::size_t i = 0; i < 6; ++i) EXPECT_NEAR(out[i], expected[i], 1e-3f) << i;
+}
+
+TEST(PressureRow, AddsGravityAndWhatTheTensionHolds) {
+  // K = dt friction (mobility (g + held) + crowding) = 0.1 0.5 (0.25 (2 + 6) + 8); d_f dt/dx^2 = 3.
+  const float depth = 3, mobility = 0.25f, friction = 0.5f, crowding_a = 8, crowding_b = 1;
+  float pressure = 6, coupling = 0;  // `held` on entry
+  pressure_row({&depth, &mobility, &friction, &crowding_a, &crowding_b}, 0.1f * 2, 0.1f, 1, 1,
+               &pressure, &coupling);
+  EXPECT_NEAR(pressure, 0.5f, 1e-7f);
+  EXPECT_NEAR(coupling, 1.5f, 3e-7f);
 }
 
 TEST(HeightRhsRow, LosesWhatFlowsOutThroughEachFaceInItsOwnCells) {

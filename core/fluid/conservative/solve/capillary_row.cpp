@@ -1,0 +1,68 @@
+#include "core/fluid/conservative/solve/capillary_row.h"
+
+#include "core/base/kernel.h"
+
+namespace pentimento::conservative {
+
+PENTIMENTO_KERNEL
+void film_weight_row(const float* __restrict depth_a, const float* __restrict depth_b,
+                     float least_film_m, float per_d2, int n, float* __restrict weight) {
+  const float least = least_film_m;
+  PENTIMENTO_INDEPENDENT
+  for (int i = 0; i < n; ++i) {
+    const float shallow = depth_a[i] < depth_b[i] ? depth_a[i] : depth_b[i];
+    weight[i] = shallow > least ? per_d2 : 0.0f;
+  }
+}
+
+PENTIMENTO_KERNEL
+void curvature_row(const SurfaceRow& s, float tension_m3_s2, int n, float* __restrict head_m2_s2) {
+  const float* __restrict above = s.above_m;
+  const float* __restrict here = s.here_m;
+  const float* __restrict below = s.below_m;
+  const float* __restrict wx = s.weight_x;
+  const float* __restrict wa = s.weight_above;
+  const float* __restrict wb = s.weight_below;
+  PENTIMENTO_INDEPENDENT
+  for (int i = 0; i < n; ++i) {
+    const float h = here[i];
+    const float across = wx[i] * (here[i + 1] - h) - wx[i - 1] * (h - here[i - 1]);
+    const float down = wb[i] * (below[i] - h) - wa[i] * (h - above[i]);
+    head_m2_s2[i] = tension_m3_s2 * (across + down);
+  }
+}
+
+PENTIMENTO_KERNEL
+void capillary_force_row(const CapillaryForce& p, const CapillaryFaces& f, int n,
+                         float* __restrict velocity_m_s, float* __restrict held_m_s2) {
+  constexpr float kLeast = 1e-30f;  // keeps a closed face from dividing by 0
+  const float* __restrict weight = f.weight;
+  const float* __restrict depth = f.depth_m;
+  const float* __restrict mobility = f.mobility_frac;
+  const float* __restrict friction = f.friction_frac;
+  const float* __restrict head_a = f.head_a;
+  const float* __restrict head_b = f.head_b;
+  const float* __restrict height_a = f.height_a;
+  const float* __restrict height_b = f.height_b;
+  const float dt = p.dt_s;
+  const float per_d = p.per_d_per_m;
+  const float most = p.tension_m3_s2 * p.stiffest_per_m2;
+  const float stiffness = dt * dt * p.stiffest_per_m2;
+  const float hanging = p.hanging_m_s2;
+  const float stiffest = p.stiffest;
+  PENTIMENTO_INDEPENDENT
+  for (int i = 0; i < n; ++i) {
+    const float k = weight[i] > 0 ? friction[i] * mobility[i] : 0.0f;
+    const float coupling = stiffness * (k * depth[i]);
+    const float stiff = most * coupling;
+    const float share = stiff > stiffest ? stiffest / stiff : 1.0f;
+    const float missing = share * stiff - 1;
+    const float held = missing > 0 ? missing / (coupling > kLeast ? coupling : kLeast) : 0.0f;
+    const float head = share * (head_b[i] - head_a[i]);
+    const float pull = head + (held + hanging) * (height_b[i] - height_a[i]);
+    velocity_m_s[i] += dt * k * (pull * per_d);
+    held_m_s2[i] = held;
+  }
+}
+
+}  // namespace pentimento::conservative

@@ -1,0 +1,71 @@
+#pragma once
+// Surface tension inside a film: paint flows from where its surface bulges to where it is hollow.
+// The height solve has the other half (height_row.h).
+
+namespace pentimento::conservative {
+
+/// Weights of the faces between the cells a and b of a row: per_d2 between two films, else 0.
+/// A cell with less than `least_film_m` of paint has no surface of its own; a film ends there, and
+/// contact_line.h holds its edge.
+void film_weight_row(const float* depth_a, const float* depth_b, float least_film_m, float per_d2,
+                     int n, float* weight);
+
+/// Heights of a row of cells and of the two rows beside it (readable one cell to each side), and
+/// the weights of the faces around its cells.
+struct SurfaceRow {
+  const float* above_m;
+  const float* here_m;
+  const float* below_m;
+  const float* weight_x;      // of the right faces; readable one face to the left
+  const float* weight_above;  // 1/m^2
+  const float* weight_below;
+};
+
+/// The curvature of the surface, in m^2/s^2 as a head: s lap h.
+/// Scheme: 5 points, 2nd order; no slope across an edge of the film, as where it meets a wall.
+/// Stable: alone it does nothing.
+/// Source: Young and Laplace, p = -sigma lap h for small slopes; Orchard 1962.
+/// Departs from it: the slope's square is left out, so steep walls count as more curved.
+void curvature_row(const SurfaceRow& surface, float tension_m3_s2, int n, float* head_m2_s2);
+
+struct CapillaryForce {
+  float dt_s = 0;
+  float per_d_per_m = 0;      // 1 / distance of the two cells
+  float tension_m3_s2 = 0;    // s = sigma / rho
+  float stiffest_per_m2 = 0;  // L = 4/dx^2 + 4/dy^2: eigenvalue of -lap for the shortest wave
+  float stiffest = 300;       // the largest dt^2 K d s L^2: deeper films have less tension
+  float hanging_m_s2 = 0;     // gravity away from the canvas, >= 0
+};
+
+/// A row of faces between the cells a and b.
+struct CapillaryFaces {
+  const float* weight;  // film_weight_row
+  const float* depth_m;
+  const float* mobility_frac;
+  const float* friction_frac;
+  const float* head_a;  // curvature_row
+  const float* head_b;
+  const float* height_a;
+  const float* height_b;
+};
+
+/// What surface tension, and gravity that pulls paint off the canvas, add to u* on faces between
+/// films:
+///   u* += dt K (m (head_b - head_a) + (held + hanging) (h_b - h_a)) / dx,  K = friction mobility
+///   m = min(1, stiffest / (dt^2 K d s L^2)),  held = max(0, m s L - 1 / (dt^2 K d L))
+/// The heights are those of the surface that the paint's motion leads to (conservative_scheme.cpp).
+/// `held` is a gravity onto the canvas that the height solve adds to the true one (pressure_row),
+/// implicitly; here it is taken off again, explicitly. So the force is that of the curvature, and
+/// the step is stable: the shortest wave of the grid changes by no more than its height in a step.
+/// Thin films need none, and have the exact force.
+/// Scheme: implicit-explicit Euler, 1st order in time, 2nd in space.
+/// Stable: any dt, for one wave on a uniform film (conservative_scheme_test.cpp has the others).
+/// Source: rate of a ripple, s h^3 q^4 / (3 nu): Orchard, Appl. Sci. Res. A 11 (1962) 451-464; the
+///   splitting: Douglas and Dupont, in Numerical Solution of Partial Differential Equations II
+///   (1971) 133-214.
+/// Departs from it: mobility; stiff paint stands (R12). Deep films have less tension (m), so that a
+///   few V-cycles solve the height: on cells of 1 mm in steps of 1/45 s, films deeper than 4 mm.
+void capillary_force_row(const CapillaryForce& p, const CapillaryFaces& f, int n,
+                         float* velocity_m_s, float* held_m_s2);
+
+}  // namespace pentimento::conservative

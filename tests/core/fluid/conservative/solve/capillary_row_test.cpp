@@ -1,0 +1,89 @@
+#include "core/fluid/conservative/solve/capillary_row.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace pentimento::conservative {
+namespace {
+
+TEST(CapillaryRow, AFilmEndsWherePaintDoes) {
+  const float a[] = {1e-3f, 1e-3f, 0, 4e-5f}, b[] = {2e-3f, 4e-5f, 1e-3f, 5e-5f};
+  float weight[4];
+  film_weight_row(a, b, 5e-5f, 7, 4, weight);
+  EXPECT_EQ(weight[0], 7);
+  for (int i = 1; i < 4; ++i) EXPECT_EQ(weight[i], 0) << i;
+}
+
+TEST(CapillaryRow, TheHeadIsTheCurvatureOfAParaboloid) {
+  // h = 3 x^2 - 2 y^2 + x + 4: lap h = 2, at every cell, on cells of 1 by 2.
+  std::array<std::array<float, 6>, 3> h;
+  for (int y = 0; y < 3; ++y)
+    for (int x = 0; x < 6; ++x) {
+      const float fx = static_cast<float>(x), fy = 2 * static_cast<float>(y);
+      h[static_cast<std::size_t>(y)][static_cast<std::size_t>(x)] =
+          3 * fx * fx - 2 * fy * fy + fx + 4;
+    }
+  std::vector<float> across(6, 1.0f), down(6, 0.25f);
+  float head[4];
+  curvature_row({h[0].data() + 1, h[1].data() + 1, h[2].data() + 1, across.data() + 1,
+                 down.data() + 1, down.data() + 1},
+                0.5f, 4, head);
+  for (const float value : head) EXPECT_EQ(value, 0.5f * 2);
+}
+
+TEST(CapillaryRow, AnEdgeOfTheFilmHasNoSlope) {
+  // A film of one height that ends on the right and above: the neighbours' heights do not matter.
+  const float above[] = {9, 9, 9}, here[] = {1, 1, 8}, below[] = {1, 1, 1};
+  const float across[] = {1, 0, 0}, none[] = {0, 0, 0}, all[] = {1, 1, 1};
+  float head = -1;
+  curvature_row({above + 1, here + 1, below + 1, across + 1, none + 1, all + 1}, 1, 1, &head);
+  EXPECT_EQ(head, 0);
+}
+
+struct Face {
+  float velocity_m_s, held_m_s2;
+};
+Face force(float depth_m, float hanging_m_s2, float weight) {
+  const float mobility = 0.5f, friction = 0.8f;
+  const float head_a = 1, head_b = 3, height_a = 0.002f, height_b = 0.0015f;
+  Face face{0.25f, -1};
+  capillary_force_row(
+      {0.1f, 1000, 1e-5f, 8e6f, 1e9f, hanging_m_s2},
+      {&weight, &depth_m, &mobility, &friction, &head_a, &head_b, &height_a, &height_b}, 1,
+      &face.velocity_m_s, &face.held_m_s2);
+  return face;
+}
+
+TEST(CapillaryRow, AThinFilmHasTheExactForce) {
+  // dt^2 K d L = 0.01 0.4 1e-7 8e6 = 0.0032; s L = 80; 80 0.0032 < 1: nothing is held.
+  const Face face = force(1e-7f, 0, 1);
+  EXPECT_EQ(face.held_m_s2, 0);
+  EXPECT_NEAR(face.velocity_m_s, 0.25f + 0.1f * 0.4f * 2 * 1000, 1e-5f);
+}
+
+TEST(CapillaryRow, ADeepFilmHoldsWhatItsShortestWaveNeeds) {
+  // dt^2 K d L = 32: held = 80 - 1/32.
+  const Face face = force(1e-3f, 0, 1);
+  EXPECT_NEAR(face.held_m_s2, 80 - 1.0 / 32, 1e-4);
+  const double pull = 2 + (80 - 1.0 / 32) * -0.0005;
+  EXPECT_NEAR(face.velocity_m_s, 0.25 + 0.1 * 0.4 * pull * 1000, 1e-4);
+}
+
+TEST(CapillaryRow, HangingPaintIsPulledToWhereItIsDeeper) {
+  // The surface falls from a to b: paint runs back to a, by 10 m/s^2 times the slope of 0.5.
+  const double more = static_cast<double>(force(1e-7f, 10, 1).velocity_m_s) -
+                      static_cast<double>(force(1e-7f, 0, 1).velocity_m_s);
+  EXPECT_NEAR(more, -0.1 * 0.4 * 10 * 0.5, 1e-4);
+}
+
+TEST(CapillaryRow, NothingPullsAtTheEdgeOfAFilm) {
+  const Face face = force(1e-3f, 10, 0);
+  EXPECT_EQ(face.velocity_m_s, 0.25f);
+  EXPECT_EQ(face.held_m_s2, 0);
+}
+
+}  // namespace
+}  // namespace pentimento::conservative
