@@ -79,6 +79,19 @@ TEST(DebugLegend, HasATitleABarFromEndToEndAndNumbers) {
   EXPECT_GT(ink(rgb, kNumbersBegin, kNumbersEnd), kLeastNumbers);
 }
 
+TEST(DebugLegend, NumbersAreThoseOfTheScaleAlsoWhereItDoesNotBeginAtNothing) {
+  const auto numbers = [](double from, int x0, int x1) {
+    const auto legend = draw_debug_legend(DebugColors(DebugView::kPigment, {from, 2, 1, ""}), 400);
+    std::vector<float> rows;
+    for (int y = kNumbersBegin; y < kNumbersEnd && legend.ok(); ++y)
+      for (int x = x0; x < x1; ++x) rows.push_back((*legend)[0](x, y));
+    return rows;
+  };
+  // Scales from 0 and from 1 to 2 have another number at the left end, and the same at the right.
+  EXPECT_NE(numbers(0, 0, 30), numbers(1, 0, 30));
+  EXPECT_EQ(numbers(0, 370, 400), numbers(1, 370, 400));
+}
+
 TEST(DebugLegend, OfAPosterIsLargerAndEveryViewHasOne) {
   EXPECT_GT(debug_legend_height(8000), 5 * debug_legend_height(800));
   for (const DebugView view : {DebugView::kHeight, DebugView::kVelocity, DebugView::kPigment,
