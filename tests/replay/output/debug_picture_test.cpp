@@ -79,17 +79,16 @@ TEST(DebugLegend, HasATitleABarFromEndToEndAndNumbers) {
   EXPECT_GT(ink(rgb, kNumbersBegin, kNumbersEnd), kLeastNumbers);
 }
 
-TEST(DebugLegend, NumbersAreThoseOfTheScaleAlsoWhereItDoesNotBeginAtNothing) {
-  const auto numbers = [](double from, int x0, int x1) {
-    const auto legend = draw_debug_legend(DebugColors(DebugView::kPigment, {from, 2, 1, ""}), 400);
-    std::vector<float> rows;
-    for (int y = kNumbersBegin; y < kNumbersEnd && legend.ok(); ++y)
-      for (int x = x0; x < x1; ++x) rows.push_back((*legend)[0](x, y));
-    return rows;
-  };
-  // Scales from 0 and from 1 to 2 have another number at the left end, and the same at the right.
-  EXPECT_NE(numbers(0, 0, 30), numbers(1, 0, 30));
-  EXPECT_EQ(numbers(0, 370, 400), numbers(1, 370, 400));
+TEST(DebugLegend, NumbersStandEvenlyAlsoWhereTheScaleDoesNotBeginAtNothing) {
+  // From 1 to 2 in five parts: a tick under the bar at each end and at the four values between.
+  const auto legend = draw_debug_legend(DebugColors(DebugView::kPigment, {1, 2, 1, ""}), 400);
+  ASSERT_TRUE(legend.ok());
+  constexpr int kTicks = 39, kBegin = 12, kLast = 387;
+  std::vector<int> ticks, even;
+  for (int x = 0; x < 400; ++x)
+    if ((*legend)[0](x, kTicks) != linear_of({250, 250, 250})[0]) ticks.push_back(x);
+  for (int i = 0; i <= 5; ++i) even.push_back(kBegin + (kLast - kBegin) * i / 5);
+  EXPECT_EQ(ticks, even);
 }
 
 TEST(DebugLegend, OfAPosterIsLargerAndEveryViewHasOne) {

@@ -77,5 +77,21 @@ TEST(PaperRelief, TheRepeatCloses) {
   }
 }
 
+TEST(PaperRelief, TheRepeatIsSquareOnLongCellsToo) {
+  // Cells of 1 by 2: 10 cm are 128 cells across and 64 down.
+  log::PaperSpec paper;
+  paper.relief_m = 1;
+  paper.scale_m = 0.1;
+  LogFiles files("-", false);
+  for (const char* texture : {"linen", "canvas", "paper"}) {
+    paper.texture = texture;
+    const Result<Field<float>> relief = paper_relief(paper, {256, 128, 0.2, 0.2}, files);
+    for (int x = 0; x < 128; ++x) {
+      EXPECT_NEAR((*relief)(x, 5), (*relief)(x + 128, 5), 1e-5) << texture;
+      EXPECT_NEAR((*relief)(x, 5), (*relief)(x, 69), 1e-5) << texture;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace pentimento
