@@ -81,7 +81,7 @@ TEST(DebugLegend, HasATitleABarFromEndToEndAndNumbers) {
 
 TEST(DebugLegend, NumbersStandEvenlyAlsoWhereTheScaleDoesNotBeginAtNothing) {
   // From 1 to 2 in five parts: a tick under the bar at each end and at the four values between.
-  const auto legend = draw_debug_legend(DebugColors(DebugView::kPigment, {1, 2, 1, ""}), 400);
+  const auto legend = draw_debug_legend(DebugColors(DebugView::kHeight, {1, 2, 1, "m"}), 400);
   ASSERT_TRUE(legend.ok());
   constexpr int kTicks = 39, kBegin = 12, kLast = 387;
   std::vector<int> ticks, even;
