@@ -303,6 +303,16 @@ TEST(Compare, FindsTheOnePlaneOfAStateThatDiffers) {
             (std::vector<std::string>{"nu_max: 0.02 against 0.5", "the lighting differs"}));
 }
 
+TEST(Compare, TellsDumpsThatReflectDifferently) {
+  const Scratch scratch;
+  StateDump dump = test::made_up_dump(20, 10, 2, 3);
+  ASSERT_TRUE(write_state(scratch.path("a.h5"), dump, {}));
+  dump.lighting.reflection.mirror = !dump.lighting.reflection.mirror;
+  ASSERT_TRUE(write_state(scratch.path("b.h5"), dump, {}));
+  EXPECT_EQ(compare(scratch.path("a.h5"), scratch.path("b.h5"))->notes,
+            (std::vector<std::string>{"the lighting differs"}));
+}
+
 TEST(Compare, AStateAgainstAPictureIsBadInput) {
   const Scratch scratch;
   ASSERT_TRUE(write_state(scratch.path("a.h5"), test::made_up_dump(20, 10, 2, 3), {}));
