@@ -21,16 +21,34 @@ void expect_failure(const Workplace& place, const std::string& arguments, int co
 
 TEST(CommandErrors, WrongUsageIsTwo) {
   const Workplace place;
-  for (const char* wrong :
-       {"", "rendr", "render", "render a.jsonl", "render a.jsonl -o a.jpg",
-        "render a.jsonl -o a.png --nonsense", "render a.jsonl -o a.png --bit-depth 9",
-        "render a.jsonl -o a.png --threads x", "render a.jsonl -o a.png --at x",
-        "render a.jsonl -o a.png --scheme wet", "render a.jsonl -o a.png --aov blue",
-        "render a.jsonl -o a.png --progress loud", "render a.jsonl -o a.png --memory-limit lots",
-        "render a.jsonl -o a.png --gravity 1,2", "render a.jsonl -o a.png --light 0,0,0", "relight",
-        "compare a.png", "validate", "info"}) {
+  for (const char* wrong : {"",
+                            "rendr",
+                            "render",
+                            "render a.jsonl",
+                            "render a.jsonl -o a.jpg",
+                            "render a.jsonl -o a.png --nonsense",
+                            "render a.jsonl -o a.png --bit-depth 9",
+                            "render a.jsonl -o a.png --threads x",
+                            "render a.jsonl -o a.png --at x",
+                            "render a.jsonl -o a.png --scheme wet",
+                            "render a.jsonl -o a.png --aov blue",
+                            "render a.jsonl -o a.png --progress loud",
+                            "render a.jsonl -o a.png --memory-limit lots",
+                            "render a.jsonl -o a.png --gravity 1,2",
+                            "render a.jsonl -o a.png --gravity 1,2,9x",
+                            "render a.jsonl -o a.png --white-point 1e9",
+                            "render a.jsonl -o a.png --light 0,0,0",
+                            "relight",
+                            "compare a.png",
+                            "validate",
+                            "info"}) {
     expect_failure(place, wrong, 2, 1);
   }
+}
+
+TEST(CommandErrors, AReportIntoAFullDiskIsFive) {
+  const Workplace place;
+  EXPECT_EQ(place.run("info a.jsonl > /dev/full; (exit $?)").code, 5);
 }
 
 TEST(CommandErrors, AMisspeltNameGetsASuggestion) {

@@ -326,6 +326,15 @@ TEST(CommandCompare, ThresholdsDecide) {
   const Ran json = place.run("compare a.png b.png --json");
   EXPECT_EQ(json.code, 1);
   EXPECT_EQ(json_member(json.out, "kind"), "picture");
+  // Each threshold judges its own figure: what lies between the two passes as one and not as the
+  // other.
+  const std::string planes = json.out.substr(json.out.find("planes"));
+  const double rms = std::stod(json_member(planes, "rms"));
+  const double max = std::stod(json_member(planes, "max"));
+  ASSERT_LT(rms, max);
+  const std::string between = std::to_string((rms + max) / 2);
+  EXPECT_EQ(place.run("compare a.png b.png --rms " + between).code, 0);
+  EXPECT_EQ(place.run("compare a.png b.png --max " + between).code, 1);
 }
 
 TEST(CommandInfo, KnowsLogsDumpsAndPictures) {
@@ -350,6 +359,9 @@ TEST(CommandValidate, GivesAVerdictPerLog) {
   EXPECT_EQ(place.run("validate a.jsonl").code, 0);
   const Ran both = place.run("validate a.jsonl b.jsonl --json");
   EXPECT_EQ(both.code, 3);
+  // Several faults: the worst one counts, wherever it stands.
+  EXPECT_EQ(place.run("validate nowhere.jsonl").code, 5);
+  EXPECT_EQ(place.run("validate nowhere.jsonl b.jsonl a.jsonl").code, 5);
   EXPECT_EQ(both.err, "");
   EXPECT_NE(both.out.find("\"valid\":true"), std::string::npos);
   EXPECT_NE(both.out.find("\"valid\":false"), std::string::npos);

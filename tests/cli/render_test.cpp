@@ -259,6 +259,35 @@ TEST(CommandRender, AModelParameterCanBeSet) {
   EXPECT_FALSE(place.has("c.h5"));
 }
 
+TEST(CommandRender, AClearedPosterShowsNothingOfThePictureThatWasLoaded) {
+  Workplace place;
+  ASSERT_EQ(place.run("render a.jsonl -o photo.png").code, 0);
+  const std::string header = kSmallLog.substr(0, kSmallLog.find('\n') + 1);
+  const std::string load = R"({"t":0,"type":"load","file":"photo.png"})"
+                           "\n";
+  const std::string clear = R"({"t":0.1,"type":"clear"})"
+                            "\n";
+  const std::string end = R"({"t":0.2,"type":"mark","name":"end"})"
+                          "\n";
+  place.write("loaded.jsonl", header + load + end);
+  place.write("cleared.jsonl", header + load + clear + end);
+  place.write("bare.jsonl", header + end);
+  for (const std::string log : {"loaded", "cleared", "bare"})
+    ASSERT_EQ(place.run("render " + log + ".jsonl --detail 2 -o " + log + ".png").code, 0);
+  EXPECT_EQ(place.run("compare cleared.png bare.png").code, 0);
+  EXPECT_EQ(place.run("compare loaded.png bare.png").code, 1);
+}
+
+TEST(CommandRender, ItsProgressSaysHowFarAndOfHowMuch) {
+  const Workplace place;
+  const Ran ran = place.run("render a.jsonl -o a.png --progress ndjson");
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  const std::size_t first = ran.err.find(R"({"phase":"simulate","done":1,)");
+  ASSERT_NE(first, std::string::npos) << ran.err;
+  EXPECT_EQ(json_member(ran.err.substr(first), "total"), "55");
+  EXPECT_NEAR(std::stod(json_member(ran.err.substr(first), "percent")), 100.0 / 55, 1e-9);
+}
+
 TEST(CommandRender, DryRunTellsAndWritesNothing) {
   const Workplace place;
   const Ran ran = place.run("render a.jsonl -o a.png --width 800 --dry-run --json");

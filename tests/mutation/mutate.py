@@ -33,6 +33,7 @@ TREE, BUILD, RESULTS = WORK / "tree", WORK / "tree/build", WORK / "results.json"
 MUST_BE_CAUGHT = 0.9
 SLOW_S = 1.0  # tests that take longer wait until the quick ones of their rank have passed
 PATIENCE = 5, 60  # a run that takes this many times its usual time, and so many seconds, hangs
+FOLDERS = ["core", "formats", "replay", "cli"]  # each sees those before it
 NOT_ASKED = {"mutation_list", "mutation_runner"}  # they look at the records themselves
 
 Test = collections.namedtuple("Test", "program name file seconds command")  # program "": not GoogleTest
@@ -152,15 +153,21 @@ def rank(test, source, killer=None):
         return 1
     if os.path.dirname(test.file) == f"tests/{folder}":
         return 2
-    if test.name.startswith("golden"):
-        return 3
+    if test.name.startswith("golden"):  # minutes, and it sees the states and a few pictures only
+        return 3 if folder.startswith("core") else 6
     return 4 if test.program.endswith("/" + program) else 5
+
+
+def can_notice(test, source):
+    """Tests of a folder below the fault's do not run its code: the folders' arrows lead downwards."""
+    below = FOLDERS[:FOLDERS.index(source.split("/")[0])]
+    return not any(test.program.endswith(f"/{folder}_tests") for folder in below)
 
 
 def rounds(tests, source, killer=None):
     """The tests in the order of asking: lists that one program can run in one go."""
     groups = collections.defaultdict(list)
-    for test in tests:
+    for test in (test for test in tests if can_notice(test, source)):
         key = (rank(test, source, killer), test.seconds > SLOW_S, test.program or "~" + test.name)
         groups[key].append(test)
     return [groups[key] for key in sorted(groups)]

@@ -66,6 +66,16 @@ class OrderTest(unittest.TestCase):
         self.assertEqual(asked, [["Tip.Prints"], ["Reservoir.Empties"], ["golden"], ["Field.Quick"], ["Field.Slow"],
                                  ["Log.Reads"], ["samples"]])
 
+    def test_outside_core_the_frozen_results_are_asked_last(self):
+        tests = [a_test("golden", "", ""), a_test("samples", "", "")]
+        asked = [group[0].name for group in mutate.rounds(tests, "cli/command.cpp")]
+        self.assertEqual(asked, ["samples", "golden"])
+
+    def test_tests_of_the_folders_below_are_not_asked(self):
+        tests = [a_test(f"{folder}.Does", "", f"{folder}_tests") for folder in ("core", "formats", "replay", "cli")]
+        asked = {group[0].name for group in mutate.rounds(tests, "replay/play/hand.cpp")}
+        self.assertEqual(asked, {"replay.Does", "cli.Does"})
+
     def test_what_caught_the_fault_last_time_is_asked_before_all(self):
         tests = [a_test("Tip.Prints", "tests/core/brush/tip_test.cpp"), a_test("samples", "", "")]
         self.assertEqual(mutate.rounds(tests, "core/brush/tip.cpp", "samples")[0][0].name, "samples")

@@ -23,6 +23,9 @@ TEST_P(IccOf, HasTheSameBytesEachTimeAndNamesItself) {
   // ICC.1, 7.2: size, 'acsp', version 4.3, display class, and an identity that is not nothing.
   EXPECT_EQ(bytes.size(), static_cast<std::size_t>(bytes[2]) << 8 | bytes[3]);
   EXPECT_EQ(std::string(bytes.begin() + 36, bytes.begin() + 40), "acsp");
+  // 7.2.8: made on 1 January 2024, whatever the day is.
+  EXPECT_EQ(std::vector<std::uint8_t>(bytes.begin() + 24, bytes.begin() + 36),
+            (std::vector<std::uint8_t>{7, 0xE8, 0, 1, 0, 1, 0, 0, 0, 0, 0, 0}));
   EXPECT_EQ(bytes[8], 4);
   EXPECT_EQ(bytes[9], 0x30);
   EXPECT_EQ(std::string(bytes.begin() + 12, bytes.begin() + 16), "mntr");

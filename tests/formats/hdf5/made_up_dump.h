@@ -38,6 +38,10 @@ inline Lighting made_up_lighting() {
   second.direction = {0, 0.6f, 0.8f};
   second.intensity = 0.3f;
   light.lamps.push_back(second);
+  Lamp third;  // near, and not turned with the canvas
+  third.position_m = {-0.3f, 0.1f, 0.7f};
+  third.follows_gravity = false;
+  light.lamps.push_back(third);
   light.varnish = 0.25f;
   light.occlusion = 0.5f;
   light.white_xy = {0.35f, 0.36f};

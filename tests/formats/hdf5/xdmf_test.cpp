@@ -48,6 +48,12 @@ TEST(Xdmf, SpacesTheCellsOfAFinerCanvasSoThatItIsAsLarge) {
             "nodes 22 28\norigin 0 0\nspacing 0.021428571 0.022222222\ntime 126.5");
 }
 
+TEST(Xdmf, NamesMayHaveTheSignsOfXml) {
+  StateDump dump = test::made_up_dump(9, 7, 2, 3);
+  dump.basis.name[0] = "red & \"pale\" <1>";
+  EXPECT_EQ(grid_read(dump).substr(0, 5), "nodes");  // the text is well-formed
+}
+
 TEST(Xdmf, AReaderOfTheSlabsFindsThePlaneThatIsNamed) {
   const Scratch scratch;
   DumpOptions options;

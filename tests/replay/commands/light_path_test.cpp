@@ -19,6 +19,15 @@ TEST(LightPath, AnOrbitGoesOnceAroundAndKeepsItsHeight) {
   for (const auto& place : *path) EXPECT_EQ(place[2], 0.8f);
 }
 
+TEST(LightPath, AnOrbitTurnsALampThatStandsAnywhere) {
+  Lamp lamp;
+  lamp.direction = {0.48f, 0.64f, 0.6f};
+  const auto path = light_path("orbit", 4, lamp);
+  ASSERT_TRUE(path);
+  const std::array<float, 3> quarter = {-0.64f, 0.48f, 0.6f};
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR((*path)[1][i], quarter[i], 1e-6f) << i;
+}
+
 TEST(LightPath, AFileIsFollowedFromItsFirstPointToItsLast) {
   const test::Scratch scratch;
   test::spill(scratch.path("p"), "# from the left to the right\n-1 0 1\n\n1, 0, 1\n");

@@ -129,6 +129,8 @@ TEST(Compare, OneCodeInOnePixelIsADifferenceUnlessAllowed) {
   EXPECT_EQ(green.max_y, 9);
   EXPECT_DOUBLE_EQ(green.differing, 1.0 / 1200);
   EXPECT_EQ(strict->planes[0].differing, 0);
+  // The worst pixel is the one that differs; most others do not.
+  EXPECT_GT(*strict->flip_max, 10 * *strict->flip_mean);
   CompareThresholds loose;
   loose.max = 1.01 / 255;
   loose.flip = 0.01;
@@ -299,6 +301,16 @@ TEST(Compare, FindsTheOnePlaneOfAStateThatDiffers) {
   }
   EXPECT_EQ(result->notes,
             (std::vector<std::string>{"nu_max: 0.02 against 0.5", "the lighting differs"}));
+}
+
+TEST(Compare, TellsDumpsThatReflectDifferently) {
+  const Scratch scratch;
+  StateDump dump = test::made_up_dump(20, 10, 2, 3);
+  ASSERT_TRUE(write_state(scratch.path("a.h5"), dump, {}));
+  dump.lighting.reflection.mirror = !dump.lighting.reflection.mirror;
+  ASSERT_TRUE(write_state(scratch.path("b.h5"), dump, {}));
+  EXPECT_EQ(compare(scratch.path("a.h5"), scratch.path("b.h5"))->notes,
+            (std::vector<std::string>{"the lighting differs"}));
 }
 
 TEST(Compare, AStateAgainstAPictureIsBadInput) {

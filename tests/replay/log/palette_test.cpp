@@ -1,9 +1,11 @@
 #include "replay/log/palette.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "core/optics/kubelka_munk.h"
 #include "core/optics/paints/paint_maker.h"
+#include "core/optics/srgb.h"
 #include "replay/play/channel_change.h"
 
 namespace pentimento {
@@ -16,6 +18,20 @@ TEST(Palette, APickedColourJoinsOnce) {
   palette.pick(yellow);
   EXPECT_EQ(palette.pigments().size(), 2u);
   EXPECT_EQ(palette.find(yellow), 1);
+}
+
+TEST(Palette, EveryPickedCodeHasItsOwnName) {
+  Palette palette = Palette::make({}).value();
+  for (int code = 0; code < 256; ++code) {
+    const double light = srgb_to_linear(code / 255.0);
+    palette.pick({{}, log::Rgb{light, light, light}, {}});
+    EXPECT_TRUE(palette.has(fmt::format("#{0:02x}{0:02x}{0:02x}", code))) << code;
+  }
+  // What lies between two codes has the name of the nearer one.
+  Palette between = Palette::make({}).value();
+  const double light = srgb_to_linear(127.8 / 255);
+  between.pick({{}, log::Rgb{light, light, light}, {}});
+  EXPECT_TRUE(between.has("#808080"));
 }
 
 TEST(Palette, AnEmptyOnePaintsBlack) {

@@ -79,6 +79,18 @@ TEST(DebugLegend, HasATitleABarFromEndToEndAndNumbers) {
   EXPECT_GT(ink(rgb, kNumbersBegin, kNumbersEnd), kLeastNumbers);
 }
 
+TEST(DebugLegend, NumbersStandEvenlyAlsoWhereTheScaleDoesNotBeginAtNothing) {
+  // From 1 to 2 in five parts: a tick under the bar at each end and at the four values between.
+  const auto legend = draw_debug_legend(DebugColors(DebugView::kHeight, {1, 2, 1, "m"}), 400);
+  ASSERT_TRUE(legend.ok());
+  constexpr int kTicks = 39, kBegin = 12, kLast = 387;
+  std::vector<int> ticks, even;
+  for (int x = 0; x < 400; ++x)
+    if ((*legend)[0](x, kTicks) != linear_of({250, 250, 250})[0]) ticks.push_back(x);
+  for (int i = 0; i <= 5; ++i) even.push_back(kBegin + (kLast - kBegin) * i / 5);
+  EXPECT_EQ(ticks, even);
+}
+
 TEST(DebugLegend, OfAPosterIsLargerAndEveryViewHasOne) {
   EXPECT_GT(debug_legend_height(8000), 5 * debug_legend_height(800));
   for (const DebugView view : {DebugView::kHeight, DebugView::kVelocity, DebugView::kPigment,

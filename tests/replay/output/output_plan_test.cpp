@@ -22,8 +22,9 @@ TEST(OutputPlan, TheExtensionSaysWhatIsWritten) {
 }
 
 TEST(OutputPlan, APercentSignStandsForTheStop) {
-  const auto plan = plan_outputs({"f-%.png"}, stops({"1.5", "step:7", "mark:glaze"}));
+  const auto plan = plan_outputs({"f-%.png", "%/%.exr"}, stops({"1.5", "step:7", "mark:glaze"}));
   ASSERT_TRUE(plan.ok());
+  EXPECT_EQ((*plan)[2][1].path, "glaze/glaze.exr");  // every sign
   EXPECT_EQ((*plan)[0][0].path, "f-1.5.png");
   EXPECT_EQ((*plan)[1][0].path, "f-7.png");
   EXPECT_EQ((*plan)[2][0].path, "f-glaze.png");

@@ -61,20 +61,29 @@ TEST(PaperRelief, ThreadsFinerThanACellVanish) {
   EXPECT_LT(facts_of("linen", 24, 18).rms, 0.1 * facts_of("linen", 2048, 1536).rms);
 }
 
-TEST(PaperRelief, TheRepeatCloses) {
+/// Expects papers that repeat after 10 cm to repeat after so many cells, on two repeats each way.
+void expect_repeat(int across, int down) {
   log::PaperSpec paper;
   paper.relief_m = 1;
   paper.scale_m = 0.1;
   LogFiles files("-", false);
   for (const char* texture : {"linen", "canvas", "paper"}) {
     paper.texture = texture;
-    const Result<Field<float>> made = paper_relief(paper, {256, 256, 0.2, 0.2}, files);
-    const Field<float>& relief = *made;
-    for (int x = 0; x < 128; ++x) {
-      EXPECT_NEAR(relief(x, 5), relief(x + 128, 5), 1e-5) << texture;
-      EXPECT_NEAR(relief(x, 5), relief(x, 133), 1e-5) << texture;
+    const Result<Field<float>> relief =
+        paper_relief(paper, {2 * across, 2 * down, 0.2, 0.2}, files);
+    for (int x = 0; x < across; ++x) {
+      EXPECT_NEAR((*relief)(x, 5), (*relief)(x + across, 5), 1e-5) << texture;
+      EXPECT_NEAR((*relief)(x, 5), (*relief)(x, 5 + down), 1e-5) << texture;
     }
   }
+}
+
+TEST(PaperRelief, TheRepeatCloses) {
+  expect_repeat(128, 128);
+}
+
+TEST(PaperRelief, TheRepeatIsSquareOnLongCellsToo) {
+  expect_repeat(128, 64);  // cells of 1 by 2
 }
 
 }  // namespace

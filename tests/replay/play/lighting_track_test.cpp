@@ -144,6 +144,15 @@ TEST(LightingTrack, NineCoefficientsTakeAProbesPlace) {
   EXPECT_TRUE(track.lighting().probe[0].empty());
 }
 
+TEST(LightByPanorama, ASoftOneTakesTheProbeOfTheOneBeforeAway) {
+  Lighting lighting;
+  const std::string studio = PENTIMENTO_TEST_DATA "/probes/studio.hdr";
+  ASSERT_TRUE(light_by_panorama(studio, false, lighting));
+  EXPECT_FALSE(lighting.probe[0].empty());
+  ASSERT_TRUE(light_by_panorama(studio, true, lighting));
+  for (const Field<float>& plane : lighting.probe) EXPECT_TRUE(plane.empty());
+}
+
 TEST(Develop, TakesWhatIsSaidAndLeavesTheRest) {
   Lighting lighting;
   develop({}, lighting);

@@ -15,7 +15,7 @@ log::Touch touch(log::TouchPhase phase, std::int64_t id = 0) {
 }
 
 /// s: a stroke, d: dry, c: clear, l: load, u: undo, r: redo, x: a stroke that is cancelled,
-/// (: touch 1 goes down, ): touch 1 lifts, g: gravity.
+/// (: touch 1 goes down, ): touch 1 lifts, k: touch 1 is cancelled, g: gravity.
 UndoTable table_of(const std::string& story) {
   UndoTable table;
   const auto add = [&](log::Action action) {
@@ -29,6 +29,7 @@ UndoTable table_of(const std::string& story) {
     if (c == 'x') add(touch(log::TouchPhase::kCancel));
     if (c == '(') add(touch(log::TouchPhase::kDown, 1));
     if (c == ')') add(touch(log::TouchPhase::kUp, 1));
+    if (c == 'k') add(touch(log::TouchPhase::kCancel, 1));
     if (c == 'd') add(log::Dry{});
     if (c == 'c') add(log::Clear{});
     if (c == 'l') add(log::Load{"a.png"});
@@ -63,6 +64,10 @@ TEST(UndoTable, RedoBringsBackInOrder) {
   EXPECT_EQ(played("sssuuur"), "100");
   EXPECT_EQ(played("sssuuurr"), "110");
   EXPECT_EQ(played("sssuuurrr"), "111");
+}
+TEST(UndoTable, WhatTheDeviceTookBackCannotBeRedone) {
+  EXPECT_EQ(played("(ur)"), "1");
+  EXPECT_EQ(played("(ukr"), "0");
 }
 TEST(UndoTable, ANewUnitEndsWhatCouldBeRedone) {
   EXPECT_EQ(played("susr"), "01");

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <vector>
 
 namespace pentimento {
@@ -53,6 +54,16 @@ TEST(PlaceEdges, StaysInsideTheWallsAndInOrder) {
 TEST(PlaceEdges, LeavesStandingBlocksAlone) {
   const std::vector<float> position = placed({0, 0, 0, 0.5f, 0}, 4);
   for (std::size_t e = 0; e <= 8; ++e) EXPECT_EQ(position[e], static_cast<float>(e));
+}
+
+TEST(PlaceEdges, IsAHermiteCubicWithTheLimitedSlopesAtBothEnds) {
+  // Between 0.1 and 0.3 with slopes 0.15 and 0.25: (0.1 + 0.3) / 2 + (0.15 - 0.25) / 8 half way.
+  const std::array<float, 6> guide = {0, 0.1f, 0.3f, 0.6f, 0.5f, 0};
+  std::array<float, 11> position{};
+  place_edges(guide, 2, position);
+  EXPECT_NEAR(position[2], 2 + 2 * 0.1, 1e-6);
+  EXPECT_NEAR(position[3], 3 + 2 * 0.1875, 1e-6);
+  EXPECT_NEAR(position[4], 4 + 2 * 0.3, 1e-6);
 }
 
 }  // namespace

@@ -32,6 +32,15 @@ TEST_F(PruneTest, FreesWhatIsEmptyInTheGuideAndHere) {
   EXPECT_FALSE(plane(1));
 }
 
+TEST_F(PruneTest, MakesPlanesOnlyForWhatTheGuideHasInTheBox) {
+  for (const int p : {0, 1}) plane(p).free();
+  guide_.channel(0, 0)(3, 3) = 1;
+  guide_.channel(1, 0)(6, 6) = 1;  // in the same tile, beyond the box
+  canvas_.ensure_planes(0, guide_, {2, 5, 2, 5});
+  EXPECT_TRUE(plane(0));
+  EXPECT_FALSE(plane(1));
+}
+
 // At a stroke's edge fine cells keep paint in a layer that the guide's cell has merged away.
 TEST_F(PruneTest, KeepsALayerThatOnlyTheDetailHasPaintIn) {
   guide_.channel(0, 0)(3, 3) = 1;

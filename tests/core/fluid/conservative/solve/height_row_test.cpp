@@ -30,6 +30,17 @@ TEST(PressureRow, AddsGravityAndWhatTheTensionHolds) {
   EXPECT_NEAR(coupling, 1.5f, 3e-7f);
 }
 
+TEST(FinishRow, CapsAndStopsPaintInBothDirections) {
+  // On a level surface: faster than 2 m/s either way is 2 m/s, slower than 0.1 m/s stands.
+  const std::array<float, 5> depth = {1, 1, 1, 1, 0}, pressure = {}, height = {};
+  const std::array<float, 5> before = {5, -5, 0.09f, -0.09f, 1};
+  std::array<float, 5> out{};
+  finish_row({0.1f, 2},
+             {depth.data(), pressure.data(), height.data(), height.data(), before.data()}, 1, 5,
+             out.data());
+  EXPECT_EQ(out, (std::array<float, 5>{2, -2, 0, 0, 0}));
+}
+
 TEST(HeightRhsRow, LosesWhatFlowsOutThroughEachFaceInItsOwnCells) {
   // Through the right face 3 x 4, the left 1 x 2, the lower 5 x 6, the upper 7 x 2; dt / dx = 1/8,
   // dt / dy = 1/4: 100 - (12 - 2) / 8 - (30 - 14) / 4.

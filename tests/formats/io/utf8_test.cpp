@@ -1,0 +1,27 @@
+#include "formats/io/utf8.h"
+
+#include <gtest/gtest.h>
+
+namespace pentimento {
+namespace {
+
+const std::string kBad = "\xEF\xBF\xBD";  // U+FFFD
+
+// The ends of each row of Unicode 15, table 3-7, and what lies just beyond.
+TEST(ValidUtf8, KeepsTheFirstAndTheLastOfEachLength) {
+  for (const char* text : {"\x01", "\x7F", "\xC2\x80", "\xDF\xBF", "\xE0\xA0\x80", "\xEC\xBF\xBF",
+                           "\xED\x9F\xBF", "\xEE\x80\x80", "\xF0\x90\x80\x80", "\xF4\x8F\xBF\xBF"})
+    EXPECT_EQ(valid_utf8(text), text);
+}
+
+TEST(ValidUtf8, ReplacesEachByteOfWhatIsNoCharacter) {
+  EXPECT_EQ(valid_utf8("\xC1\xBF"), kBad + kBad) << "overlong";
+  EXPECT_EQ(valid_utf8("\xE0\x9F\xBF"), kBad + kBad + kBad) << "overlong";
+  EXPECT_EQ(valid_utf8("\xED\xA0\x80"), kBad + kBad + kBad) << "a surrogate";
+  EXPECT_EQ(valid_utf8("\xF4\x90\x80\x80"), kBad + kBad + kBad + kBad) << "beyond U+10FFFF";
+  EXPECT_EQ(valid_utf8("a\xE2\x82"), "a" + kBad + kBad) << "cut off";
+  EXPECT_EQ(valid_utf8(std::string_view("a\0b", 3)), "a" + kBad + "b");
+}
+
+}  // namespace
+}  // namespace pentimento
