@@ -48,6 +48,7 @@ inline Model ideal_fluid(double deepest_m) {
   m.velocity_threshold_m_s = 0;
   m.speed_cap_m_s = 0;
   m.front_depth_m = 0;
+  m.surface_tension_N_m = 0;
   m.max_medium_m = static_cast<float>(4 * deepest_m);
   m.sleep_tile_m = 1e6f;
   return m;
