@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 
 #include "core/base/kernel.h"
@@ -21,11 +22,6 @@ namespace {
 
 constexpr float kCrowdedFrac = 0.2f;  // of max_medium: the depth over which crowding rises
 
-// Share of the present motion that 6. expects to go on. The explicit half of the tension looks at
-// the surface that this leads to. With 0, waves of a few cells on thick films decay several times
-// too slowly, for the implicit half lags a step behind; with 1, films of a centimetre swing.
-constexpr float kGoesOn = 0.9f;
-
 // The stiffest coupling that the tension may have, dt^2 K d s L^2 (capillary_row.h): what a few
 // V-cycles leave of it must be small against the surface itself. With 2000, waves of the grid grow
 // on films of a centimetre. On long cells the cycles do less: with 100 they grow on cells of 1
@@ -34,6 +30,20 @@ float stiffest(float dx_m, float dy_m) {
   constexpr float kOfSquareCells = 600;
   const float ratio = dx_m < dy_m ? dx_m / dy_m : dy_m / dx_m;
   return kOfSquareCells * ratio * ratio * ratio;
+}
+
+/// The deepest puddle that surface tension alone carries: 2 sqrt(sigma / (rho g)).
+float carried_by_tension(const Model& model) {
+  constexpr float kGravity_m_s2 = 9.81f;
+  const float tension = model.tension_m3_s2();
+  return tension > 0 ? 2 * std::sqrt(tension / kGravity_m_s2) : 1.0f;
+}
+
+/// Gravity under which a heap on an upright or hanging canvas spreads: that along the canvas, and
+/// twice that off it, so that a drop hangs half as deep again as its surface carries.
+float sagging_gravity(const Vec3f& g) {
+  const float off = g.z < 0 ? 2 * g.z : 0.0f;
+  return std::sqrt(g.x * g.x + g.y * g.y + off * off);
 }
 
 constexpr float kLeastFilm_m = 5e-5f;  // thinner paint follows the weave: it has no surface
@@ -226,10 +236,13 @@ void ConservativeScheme::pin_edges(const CanvasState& state, const StepInput& in
 
 void ConservativeScheme::foresee_surface(const CanvasState& state, const StepInput& in,
                                          const Run& r) {
-  // 4d. h - kGoesOn dt div(d u~).
-  const float dt_s = kGoesOn * in.dt_s;
-  height_rhs_row(fluxes(r), work_.height_m.row(r.y) + r.x0, dt_s / state.geometry.dx_m(),
-                 dt_s / state.geometry.dy_m(), r.size(), work_.surface_m.row(r.y) + r.x0);
+  // 4d. h - dt div(d u~), as far as it is trusted.
+  const float* height = work_.height_m.row(r.y) + r.x0;
+  float* surface = work_.surface_m.row(r.y) + r.x0;
+  height_rhs_row(fluxes(r), height, in.dt_s / state.geometry.dx_m(),
+                 in.dt_s / state.geometry.dy_m(), r.size(), surface);
+  foresee_row(state.depth_m.row(r.y) + r.x0, height, carried_by_tension(in.model), r.size(),
+              surface);
 }
 
 void ConservativeScheme::apply_viscosity(const CanvasState& state, const StepInput& in) {
@@ -318,14 +331,17 @@ void ConservativeScheme::apply_tension(const CanvasState& state, const StepInput
   const float dy = state.geometry.dy_m();
   const float tension = in.model.tension_m3_s2();
   // Paint that hangs needs the tension: without it, its shortest waves would grow fastest (A13).
-  const float hanging = tension > 0 ? positive(-in.gravity_m_s2.z) : 0.0f;
+  const Vec3f& g = in.gravity_m_s2;
+  const float hanging = tension > 0 ? positive(-g.z) : 0.0f;
+  const float sagging = tension > 0 ? sagging_gravity(g) : 0.0f;
   const auto apply = [&](NodePlanes& n, int down, float cell_m, const WorkPlane& weight) {
     const auto here = [&](const WorkPlane& p) { return p.row(r.y) + r.x0; };
     const auto next = [&](const WorkPlane& p) { return p.row(r.y + down) + r.x0 + 1 - down; };
     const WorkPlane& head = work_.solver.zero_order();
     const WorkPlane& surface = work_.surface_m;
     capillary_force_row(
-        {in.dt_s, 1 / cell_m, tension, 4 / (dx * dx) + 4 / (dy * dy), stiffest(dx, dy), hanging},
+        {in.dt_s, 1 / cell_m, tension, 4 / (dx * dx) + 4 / (dy * dy), stiffest(dx, dy), hanging,
+         sagging, carried_by_tension(in.model)},
         {here(weight), here(n.depth_m), here(n.mobility_frac), here(n.friction_frac), here(head),
          next(head), here(surface), next(surface)},
         r.size(), n.velocity_m_s.row(r.y) + r.x0, n.pressure_m_s.row(r.y) + r.x0);
@@ -373,8 +389,9 @@ void ConservativeScheme::solve_height(CanvasState& state, const StepInput& in) {
   const float dy = state.geometry.dy_m();
   const float nearest = std::min(dx, dy);
   const float held = in.model.tension_m3_s2() * (4 / (dx * dx) + 4 / (dy * dy));
-  const float strongest = (positive(in.gravity_m_s2.z) + held + in.model.crowding_m_s2) * in.dt_s *
-                          in.dt_s * in.model.max_medium_m / (nearest * nearest);
+  const float gravity = positive(in.gravity_m_s2.z) + sagging_gravity(in.gravity_m_s2);
+  const float strongest = (gravity + held + in.model.crowding_m_s2) * in.dt_s * in.dt_s *
+                          in.model.max_medium_m / (nearest * nearest);
   // 7b. The solve: h' - dt div(d K grad h') = h - dt div(d u*), K the pressure of 7a.
   work_.solver.solve(in.model.height_cycles, work_.solver.levels_for(strongest), in.threads,
                      {.guess = &work_.height_m,

@@ -33,6 +33,20 @@ void curvature_row(const SurfaceRow& s, float tension_m3_s2, int n, float* __res
 }
 
 PENTIMENTO_KERNEL
+void foresee_row(const float* __restrict depth_m, const float* __restrict height_m, float carried_m,
+                 int n, float* __restrict surface_m) {
+  constexpr float kOfThin = 0.9f, kOfDeep = 0.5f;
+  const float per_carried = 1 / carried_m;
+  PENTIMENTO_INDEPENDENT
+  for (int i = 0; i < n; ++i) {
+    const float over = depth_m[i] * per_carried - 1;
+    const float deep = over > 0 ? (over < 1 ? over : 1.0f) : 0.0f;
+    const float share = kOfThin + (kOfDeep - kOfThin) * deep;
+    surface_m[i] = height_m[i] + share * (surface_m[i] - height_m[i]);
+  }
+}
+
+PENTIMENTO_KERNEL
 void capillary_force_row(const CapillaryForce& p, const CapillaryFaces& f, int n,
                          float* __restrict velocity_m_s, float* __restrict held_m_s2) {
   constexpr float kLeast = 1e-30f;  // keeps a closed face from dividing by 0
@@ -49,6 +63,8 @@ void capillary_force_row(const CapillaryForce& p, const CapillaryFaces& f, int n
   const float most = p.tension_m3_s2 * p.stiffest_per_m2;
   const float stiffness = dt * dt * p.stiffest_per_m2;
   const float hanging = p.hanging_m_s2;
+  const float sagging = p.sagging_m_s2;
+  const float per_carried = 1 / p.carried_m;
   const float stiffest = p.stiffest;
   PENTIMENTO_INDEPENDENT
   for (int i = 0; i < n; ++i) {
@@ -59,9 +75,12 @@ void capillary_force_row(const CapillaryForce& p, const CapillaryFaces& f, int n
     const float missing = share * stiff - 1;
     const float held = missing > 0 ? missing / (coupling > kLeast ? coupling : kLeast) : 0.0f;
     const float head = share * (head_b[i] - head_a[i]);
-    const float pull = head + (held + hanging) * (height_b[i] - height_a[i]);
+    const float rise = height_b[i] - height_a[i];
+    const float pull = head + (held + hanging) * rise;
     velocity_m_s[i] += dt * k * (pull * per_d);
-    held_m_s2[i] = held;
+    const float over = depth[i] * per_carried - 1;
+    const float sags = over > 0 ? (over < 1 ? over : 1.0f) : 0.0f;
+    held_m_s2[i] = held + sagging * (k > 0 ? sags : 0.0f);
   }
 }
 

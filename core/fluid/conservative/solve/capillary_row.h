@@ -28,6 +28,17 @@ struct SurfaceRow {
 /// Departs from it: the slope's square is left out, so steep walls count as more curved.
 void curvature_row(const SurfaceRow& surface, float tension_m3_s2, int n, float* head_m2_s2);
 
+/// The surface that the paint's motion leads to, as far as the explicit half of the tension trusts
+/// it. `surface_m` holds the one of the whole step (height_rhs_row) and becomes
+///   h + r (surface - h),  r = 0.9 where d <= c, 0.5 where d >= 2 c, linear between
+/// Thin films creep: their motion goes on. With r = 0, waves of a few cells on films of a few
+/// millimetres decay several times too slowly, for the implicit half lags a step behind. Deep films
+/// swing: with r = 0.7, puddles of a centimetre break up.
+/// Scheme: pointwise. Stable: alone it does nothing.
+/// Source: measured (docs/numerics.md). Departs from it: nothing.
+void foresee_row(const float* depth_m, const float* height_m, float carried_m, int n,
+                 float* surface_m);
+
 struct CapillaryForce {
   float dt_s = 0;
   float per_d_per_m = 0;      // 1 / distance of the two cells
@@ -35,6 +46,8 @@ struct CapillaryForce {
   float stiffest_per_m2 = 0;  // L = 4/dx^2 + 4/dy^2: eigenvalue of -lap for the shortest wave
   float stiffest = 300;       // the largest dt^2 K d s L^2: deeper films have less tension
   float hanging_m_s2 = 0;     // gravity away from the canvas, >= 0
+  float sagging_m_s2 = 0;     // gravity under which a heap sags, >= 0
+  float carried_m = 1;        // c: the deepest film that its surface carries, > 0
 };
 
 /// A row of faces between the cells a and b.
@@ -52,12 +65,14 @@ struct CapillaryFaces {
 /// What surface tension, and gravity that pulls paint off the canvas, add to u* on faces between
 /// films:
 ///   u* += dt K (m (head_b - head_a) + (held + hanging) (h_b - h_a)) / dx,  K = friction mobility
+///   held += sagging min(1, max(0, d / c - 1)), not taken off again
 ///   m = min(1, stiffest / (dt^2 K d s L^2)),  held = max(0, m s L - 1 / (dt^2 K d L))
 /// The heights are those of the surface that the paint's motion leads to (conservative_scheme.cpp).
 /// `held` is a gravity onto the canvas that the height solve adds to the true one (pressure_row),
 /// implicitly; here it is taken off again, explicitly. So the force is that of the curvature, and
 /// the step is stable: the shortest wave of the grid changes by no more than its height in a step.
-/// Thin films need none, and have the exact force.
+/// Thin films need none, and have the exact force. A film deeper than c is more than its surface
+/// can carry: it sags like a heap, and spreads along the canvas as under the gravity `sagging`.
 /// Scheme: implicit-explicit Euler, 1st order in time, 2nd in space.
 /// Stable: any dt, for one wave on a uniform film (conservative_scheme_test.cpp has the others).
 /// Source: rate of a ripple, s h^3 q^4 / (3 nu): Orchard, Appl. Sci. Res. A 11 (1962) 451-464; the

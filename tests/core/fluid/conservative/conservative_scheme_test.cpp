@@ -133,6 +133,7 @@ TEST(ConservativeScheme, ABrushPushesOnceInAStepCutIntoParts) {
   // moves with half the push (advection.h): one cell of 1 mm, and a quarter of one of 2 mm.
   Basin b({96, 96, 0.096, 0.192});
   b.gravity_m_s2 = {0, 0, 0};
+  b.model.surface_tension_N_m = 0;
   b.model.front_depth_m = 0;
   for (int y = 20; y < 40; ++y)
     for (int x = 20; x < 40; ++x) b.state.depth_m(x, y) = 0.01f;

@@ -43,6 +43,16 @@ TEST(CapillaryRow, AnEdgeOfTheFilmHasNoSlope) {
   EXPECT_EQ(head, 0);
 }
 
+TEST(CapillaryRow, ForeseesLessOfWhatDeepFilmsDo) {
+  // Carried: 2 mm. A surface that falls by 1 um is trusted by 0.9 in films up to that, by 0.5 in
+  // films of twice that.
+  const float depth[] = {0, 0.002f, 0.003f, 0.004f, 0.04f}, height[] = {0, 0, 0, 0, 0};
+  float surface[] = {-1e-6f, -1e-6f, -1e-6f, -1e-6f, -1e-6f};
+  foresee_row(depth, height, 0.002f, 5, surface);
+  const float expected[] = {-0.9e-6f, -0.9e-6f, -0.7e-6f, -0.5e-6f, -0.5e-6f};
+  for (int i = 0; i < 5; ++i) EXPECT_NEAR(surface[i], expected[i], 1e-12f) << i;
+}
+
 struct Face {
   float velocity_m_s, held_m_s2;
 };
@@ -77,6 +87,26 @@ TEST(CapillaryRow, HangingPaintIsPulledToWhereItIsDeeper) {
   const double more = static_cast<double>(force(1e-7f, 10, 1).velocity_m_s) -
                       static_cast<double>(force(1e-7f, 0, 1).velocity_m_s);
   EXPECT_NEAR(more, -0.1 * 0.4 * 10 * 0.5, 1e-4);
+}
+
+TEST(CapillaryRow, AHeapThatItsSurfaceCannotCarrySags) {
+  // Without tension nothing else is held. Up to 2 mm nothing sags, from twice that all of 12 m/s^2.
+  const float depth[] = {0.001f, 0.002f, 0.003f, 0.004f, 0.1f, 0.1f};
+  const float weight[] = {1, 1, 1, 1, 1, 0}, half[] = {0.5f, 0.5f, 0.5f, 0.5f, 0.5f, 0.5f};
+  const float none[] = {0, 0, 0, 0, 0, 0}, rise[] = {1, 1, 1, 1, 1, 1};
+  float velocity[] = {0, 0, 0, 0, 0, 0}, held[6];
+  capillary_force_row({.dt_s = 0.1f,
+                       .per_d_per_m = 1000,
+                       .tension_m3_s2 = 0,
+                       .stiffest_per_m2 = 8e6f,
+                       .sagging_m_s2 = 12,
+                       .carried_m = 0.002f},
+                      {weight, depth, half, half, none, none, none, rise}, 6, velocity, held);
+  const float expected[] = {0, 0, 6, 12, 12, 0};
+  for (int i = 0; i < 6; ++i) {
+    EXPECT_NEAR(held[i], expected[i], 1e-5f) << i;
+    EXPECT_EQ(velocity[i], 0) << i << ": it is left to the height solve";
+  }
 }
 
 TEST(CapillaryRow, NothingPullsAtTheEdgeOfAFilm) {
