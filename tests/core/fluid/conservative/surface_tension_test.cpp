@@ -191,5 +191,19 @@ TEST(SurfaceTension, APuddleOnAnUprightCanvasComesToRestAsAWedge) {
   }
 }
 
+TEST(SurfaceTension, ADropUnderACeilingHangsNoDeeperThanItCan) {
+  // Gravity off the canvas and the gravity that a heap sags under are equal halfway between 3.7 and
+  // 7.4 mm; where the drop is that deep they hold each other. 1 mm more: tension and swing.
+  Basin b({40, 40, 0.04, 0.04});
+  b.gravity_m_s2 = {0, 0, -9.81f};
+  b.fill_depth([](int x, int y) {
+    const int dx = x - 20, dy = y - 20;
+    return dx * dx + dy * dy < 100 ? 0.006f : 0.002f;
+  });
+  b.steps(45 * 20);
+  EXPECT_GT(b.statistic("max_depth_m"), 0.005) << "it hangs";
+  EXPECT_LT(b.statistic("max_depth_m"), 0.0085);
+}
+
 }  // namespace
 }  // namespace pentimento::conservative
