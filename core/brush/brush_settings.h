@@ -55,6 +55,9 @@ struct BrushDefinition {
   /// It is dipped into paint; else, as a knife or a rag, it starts clean and lays what it took up.
   bool lays_paint() const { return film > 0; }
 
+  /// Pressed down without being drawn, its bristles spread to all sides; others keep to a line.
+  bool spreads_all_round() const { return shape == TipShape::kRound || shape == TipShape::kRigger; }
+
   /// Factors on the size and on the deposit at a pressure in [0,1].
   float size_at(float pressure) const {
     return size.empty() ? 1 - size_pressure * (1 - pressure) : size.at(pressure);

@@ -13,15 +13,15 @@ struct Builtin {
   float size_pressure;  // soft bristle spreads under pressure, a blade does not
   float flow_pressure;
   float spacing;   // 0: the slider's; a thin blade prints ribs at 2.5 %
-  float capacity;  // long bristle holds more paint
+  float capacity;  // in diameters; long bristle holds more paint (docs/brushes.md)
 };
 
-constexpr std::array<Builtin, 8> kBuiltins = {{{"round", TipShape::kRound, 0.4f, 0.7f, 0, 200},
-                                               {"flat", TipShape::kFlat, 0.12f, 0.7f, 0, 200},
-                                               {"filbert", TipShape::kFilbert, 0.25f, 0.7f, 0, 200},
-                                               {"bristle", TipShape::kBristle, 0.2f, 0.7f, 0, 120},
-                                               {"fan", TipShape::kFan, 0.1f, 0.6f, 0.0125f, 60},
-                                               {"rigger", TipShape::kRigger, 0.5f, 0.5f, 0, 400},
+constexpr std::array<Builtin, 8> kBuiltins = {{{"round", TipShape::kRound, 0.4f, 0.7f, 0, 400},
+                                               {"flat", TipShape::kFlat, 0.12f, 0.7f, 0, 400},
+                                               {"filbert", TipShape::kFilbert, 0.25f, 0.7f, 0, 400},
+                                               {"bristle", TipShape::kBristle, 0.2f, 0.7f, 0, 240},
+                                               {"fan", TipShape::kFan, 0.1f, 0.6f, 0.0125f, 120},
+                                               {"rigger", TipShape::kRigger, 0.5f, 0.5f, 0, 1000},
                                                {"knife", TipShape::kKnife, 0, 0.5f, 0.0125f, 200},
                                                {"rag", TipShape::kRag, 0.2f, 1, 0.05f, 200}}};
 }  // namespace

@@ -21,6 +21,8 @@ struct Stamp {
   Vec2f direction;       // unit vector of travel, y down; (0,0) for a tap
   Vec2f heading;         // direction smoothed along the path, for tips that turn with the stroke;
                          // does not turn round when the brush is pulled back; (0,0) for a tap
+  Vec2f dab;             // unit vector that a round tip is turned to where a touch stands still;
+                         // (0,0) while it travels
   float travel_m = 0;    // arc length this stamp stands for, >= 0
   Vec2f velocity_m_s;    // of the brush, y down
 };

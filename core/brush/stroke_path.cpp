@@ -10,6 +10,7 @@ namespace pentimento {
 namespace {
 constexpr double kPauseFrac = 1e-4;    // of the diameter: smaller moves are the hand's tremble
 constexpr double kTapFrac = 0.5;       // of the diameter: a tap deposits as much
+constexpr int kDabStamps = 12;         // of a tap, evenly around
 constexpr double kHeadingFrac = 0.25;  // of the diameter: length over which a tip turns
 constexpr double kChordsPerStamp = 4;  // a chord's sagitta is then far below a cell
 constexpr int kMinChords = 4;
@@ -112,18 +113,37 @@ void StrokePath::finish(std::vector<Stamp>& out) {
     const double m = length(m1.x, m1.y);
     if (m > 0) last.direction = {static_cast<float>(m1.x / m), static_cast<float>(m1.y / m)};
   }
-  const double travel_m = travel_m_ + std::max(0.0, kTapFrac * b.diameter_m - total_m_);
   const Span near = near_canvas({b.x_m, b.y_m}, {0, 0}, b.diameter_m);
-  if (travel_m > kPauseFrac * b.diameter_m && near.from <= near.to) {
+  if (near.from <= near.to) {
     turn_heading(last.direction, travel_m_, b.diameter_m);
     last.x_m = b.x_m;
     last.y_m = b.y_m;
     last.heading = heading_;
-    last.travel_m = static_cast<float>(travel_m);
-    out.push_back(last);
+    if (travel_m_ > kPauseFrac * b.diameter_m) {
+      last.travel_m = static_cast<float>(travel_m_);
+      out.push_back(last);
+    }
+    add_dab(last, kTapFrac * b.diameter_m - total_m_, out);
   }
   final_until_s_ = knot_[2].leave.time_s;
   knots_ = 0;
+}
+
+/// What a short touch lacks of a tap: the brush is pressed down where it is and spreads to all
+/// sides.
+void StrokePath::add_dab(Stamp stamp, double travel_m, std::vector<Stamp>& out) {
+  if (!(travel_m > kPauseFrac * static_cast<double>(stamp.diameter_m))) return;
+  constexpr float kHalf = 0.5f, kRoot = 0.8660254f;  // cosine and sine of 60 degrees
+  constexpr Vec2f kAround[kDabStamps] = {
+      {1, 0},  {kRoot, kHalf},   {kHalf, kRoot},   {0, 1},  {-kHalf, kRoot}, {-kRoot, kHalf},
+      {-1, 0}, {-kRoot, -kHalf}, {-kHalf, -kRoot}, {0, -1}, {kHalf, -kRoot}, {kRoot, -kHalf}};
+  stamp.direction = {};
+  stamp.velocity_m_s = {};
+  stamp.travel_m = static_cast<float>(travel_m / kDabStamps);
+  for (const Vec2f& dab : kAround) {
+    stamp.dab = dab;
+    out.push_back(stamp);
+  }
 }
 
 StrokePath::Point StrokePath::Segment::at(double u) const {

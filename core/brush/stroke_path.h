@@ -41,7 +41,8 @@ class StrokePath {
   /// diameters is a pause: it changes pressure, tilt and time, not the path.
   void add(const TouchSample& device_sample, std::vector<Stamp>& out);
   /// The touch lifts. Appends the rest of the stamps to `out`. If the stroke was shorter than half
-  /// a diameter, as a tap is, its last stamp deposits as much as half a diameter would.
+  /// a diameter, as a tap is, its last stamps deposit as much as half a diameter would: a dab
+  /// (Stamp::dab).
   void finish(std::vector<Stamp>& out);
 
   /// All stamps before this time have come out, s.
@@ -72,6 +73,7 @@ class StrokePath {
   void run(const Segment& segment, std::vector<Stamp>& out);
   void run_chord(const Segment& segment, double u0, double u1, const Point& a, const Point& b,
                  std::vector<Stamp>& out);
+  void add_dab(Stamp stamp, double travel_m, std::vector<Stamp>& out);
   void turn_heading(const Vec2f& direction, double travel_m, double diameter_m);
   Span near_canvas(const Point& a, const Point& d, double reach_m) const;
 

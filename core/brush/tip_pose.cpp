@@ -30,6 +30,7 @@ Vec2f axis_of(const Stamp& stamp, const BrushDefinition& brush) {
   Vec2f axis{1, 0};
   if (brush.follows_direction && (stamp.heading.x != 0 || stamp.heading.y != 0))
     axis = stamp.heading;
+  if (brush.spreads_all_round() && (stamp.dab.x != 0 || stamp.dab.y != 0)) axis = stamp.dab;
   if (stamp.twist_rad == 0) return axis;
   const float c = approx::cos(stamp.twist_rad), s = approx::sin(stamp.twist_rad);
   return {axis.x * c - axis.y * s, axis.x * s + axis.y * c};  // y down: clockwise as seen

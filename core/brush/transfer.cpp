@@ -64,6 +64,13 @@ float reach_of(const StampPlan& plan, float pressure, float stiffness) {
       (kSoftestContact - kStiffnessContact * stiffness) / speed_factor(plan.stamp);
   return kReachPerContact * contact + kReachUnpressed;
 }
+/// Share of its film that a tip deposits where it stands still. What half a diameter of way would
+/// take, a narrow tip would heap up in a print of a tenth of one.
+float dabbed(const Stamp& stamp, const TipExtent& extent) {
+  constexpr float kWholeFilm = 0.5f;  // of the tip's square: the print of a round tip
+  const bool stands = stamp.dab.x != 0 || stamp.dab.y != 0;
+  return stands ? std::min(1.0f, extent.u * extent.v / kWholeFilm) : 1.0f;
+}
 }  // namespace
 
 Transfer::Transfer(CanvasState& state, BrushContact& contact, PaintAccount& account,
@@ -148,7 +155,8 @@ void Transfer::set_rates(const Stamp& stamp, const BrushInHand& hand, const Mode
   const float unhurried = hand.tip.mean(brush.splay_at(pressure));
   const float mean = (unhurried + hand.tip.mean()) / 2 * plan.mean / unhurried;
   plan.film_rate = brush.film * wet_film(reservoir.density_frac) * brush.flow_at(pressure) * thin *
-                   static_cast<float>(diameters) / (mean * kFilmsHeld);
+                   static_cast<float>(diameters) / (mean * kFilmsHeld) *
+                   dabbed(stamp, hand.tip.extent());
   plan.return_frac = return_share(stamp, brush, plan.pose);
   plan.level_per_m = model.contact_levelling * levelling(reservoir.density_frac) /
                      (model.film_medium_m * settings.medium_frac + kWeaveReach_m);

@@ -135,10 +135,7 @@ Result<Field<float>> read_tip(const std::string& path, const ImageLimits& limits
   if (!image) return image.error();
   if (const Field<float>* alpha = image->find("A")) return alpha->clone();
   if (const Result<void> fine = check_has_colour(*image, path); !fine) return fine.error();
-  Field<float> tip = grey_of(*image);
-  for (int y = 0; y < tip.height(); ++y)
-    for (int x = 0; x < tip.width(); ++x) tip(x, y) = 1 - tip(x, y);
-  return tip;
+  return grey_of(*image);
 }
 
 }  // namespace pentimento

@@ -68,8 +68,7 @@ Result<std::array<Field<float>, 3>> read_rgb(const std::string& path,
 /// colour the mean is taken.
 Result<Field<float>> read_grey(const std::string& path, const ImageLimits& limits = {});
 
-/// Reads a brush tip, 1 = most paint: the alpha of a picture that has one, else 1 - grey, for tips
-/// are drawn dark on white.
+/// Reads a brush tip, 1 = most paint: the alpha of a picture that has one, else the stored grey.
 Result<Field<float>> read_tip(const std::string& path, const ImageLimits& limits = {});
 
 }  // namespace pentimento

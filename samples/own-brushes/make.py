@@ -30,7 +30,7 @@ LENGTH = 0.115
 
 
 def tufts(side=96):
-    """Rows of grey, dark where the tip touches: three soft discs, the middle one largest."""
+    """Rows of grey, white where the tip touches: three soft discs, the middle one largest."""
     discs = [(0.2, 0.5, 0.13), (0.5, 0.5, 0.2), (0.82, 0.5, 0.1)]
     rows = []
     for j in range(side):
@@ -38,7 +38,7 @@ def tufts(side=96):
         for i in range(side):
             x, y = (i + 0.5) / side, (j + 0.5) / side
             depth = max(r - math.hypot(x - cx, y - cy) for cx, cy, r in discs)
-            row.append(255 - round(255 * min(1, max(0, depth / 0.04))))
+            row.append(round(255 * min(1, max(0, depth / 0.04))))
         rows.append(bytes(row))
     return rows
 

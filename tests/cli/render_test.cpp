@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "formats/image/read_image.h"
 #include "tests/cli/command_run.h"
 
@@ -372,6 +374,56 @@ TEST(CommandRender, TheLocaleChangesNothing) {
     EXPECT_FALSE(plain[i].empty());
     EXPECT_TRUE(plain[i] == german[i]) << i;
   }
+}
+
+TEST(CommandRender, APictureOfAStarPaintsAStar) {
+  // A star, white on black, stamped over the middle of a canvas of 0.4 m by 0.3 m.
+  Workplace place;
+  constexpr int kSide = 61;
+  std::string star = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 61 +X 61\n";
+  const auto in_star = [](double x, double y) {  // x right, y down, from -1 to 1
+    const double angle = std::atan2(x, -y), fifth = 2 * 3.14159265358979 / 5;
+    const double off = std::abs(angle - fifth * std::round(angle / fifth));  // from the next tip
+    const double inner = 0.4, tip_x = 1, dent_x = inner * std::cos(fifth / 2);
+    const double dent_y = inner * std::sin(fifth / 2), r = std::hypot(x, y);
+    // On the centre's side of the line from the tip (1, 0) to the dent between two tips.
+    return (r * std::cos(off) - tip_x) * dent_y - r * std::sin(off) * (dent_x - tip_x) < 0;
+  };
+  const auto of = [](int i) { return 2 * (i + 0.5) / kSide - 1; };
+  for (int j = 0; j < kSide; ++j)
+    for (int i = 0; i < kSide; ++i)
+      star += in_star(of(i), of(j)) ? "\x80\x80\x80\x81" : std::string(4, '\0');
+  place.write("star.hdr", star);
+  place.write(
+      "star.jsonl",
+      R"({"type":"header","format":"pentimento-log","version":1,"canvas":{"width":0.4,"height":0.3},)"
+      R"("grid":{"width":160,"height":120},"palette":[{"name":"blue","color":"#101840"}],)"
+      R"("brushes":[{"name":"star","texture":"star.hdr"}]})"
+      "\n"
+      R"({"t":0,"type":"color","pigment":"blue"})"
+      "\n"
+      R"({"t":0,"type":"brush","name":"star"})"
+      "\n"
+      R"({"t":0,"type":"slider","name":"size","value":0.2})"
+      "\n"
+      R"({"t":0,"type":"touch","phase":"down","x":0.2,"y":0.15,"pressure":1})"
+      "\n"
+      R"({"t":0.1,"type":"touch","phase":"up","x":0.2,"y":0.15,"pressure":1})"
+      "\n");
+  const Ran ran = place.run("render star.jsonl -o star.png");
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  const auto picture = read_rgb(place.path("star.png"));
+  ASSERT_TRUE(picture);
+  int wrong = 0, inside = 0;
+  for (int y = 0; y < 120; ++y)
+    for (int x = 0; x < 160; ++x) {
+      const bool star_here = in_star((x + 0.5 - 80) / 40, (y + 0.5 - 60) / 40);
+      const bool dark = (*picture)[0](x, y) < 0.25f;
+      inside += star_here ? 1 : 0;
+      wrong += star_here != dark ? 1 : 0;
+    }
+  EXPECT_GT(inside, 1000);
+  EXPECT_LT(wrong, 250);  // along 400 cells of outline
 }
 
 TEST(CommandRender, ItsPictureNamesTheCommandThatMakesItAgain) {

@@ -72,6 +72,61 @@ TEST(DryBrush, CatchesThePeaksOfTheWeave) {
   EXPECT_LT(dry.peaks + dry.hollows, 0.5 * (wet.peaks + wet.hollows));
 }
 
+/// What a tap of 60 mm leaves: how far the paint reaches along each axis, as the root of its second
+/// moment, and its greatest depth.
+struct Dab {
+  double wide_m = 0, high_m = 0, deepest_m = 0;
+};
+
+Dab dab_of(const char* brush) {
+  const Threads threads(1);
+  Simulation sim(canvas(), threads);
+  sim.set_brush(*builtin_brush(brush));
+  StrokePath path(0.02, kWidth_m, kHeight_m);
+  std::vector<Stamp> stamps;
+  TouchSample sample;
+  sample.diameter_m = 0.06f;
+  sample.x_m = kWidth_m / 2;
+  sample.y_m = kHeight_m / 2;
+  path.begin(sample);
+  path.finish(stamps);
+  sim.begin_stroke(0, 1);
+  for (const Stamp& s : stamps) sim.stamp(0, s);
+  double sum = 0, xx = 0, yy = 0;
+  Dab dab;
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) {
+      const double depth = static_cast<double>(sim.state().depth_m(x, y));
+      const double dx = (x + 0.5) * 0.002 - sample.x_m, dy = (y + 0.5) * 0.002 - sample.y_m;
+      sum += depth;
+      xx += depth * dx * dx;
+      yy += depth * dy * dy;
+      dab.deepest_m = std::max(dab.deepest_m, depth);
+    }
+  dab.wide_m = std::sqrt(xx / sum);
+  dab.high_m = std::sqrt(yy / sum);
+  return dab;
+}
+
+TEST(Tap, OfARoundBrushIsADisc) {
+  for (const char* brush : {"round", "rigger"}) {
+    const Dab dab = dab_of(brush);
+    EXPECT_NEAR(dab.wide_m / dab.high_m, 1, 0.02) << brush;  // cells of a thirtieth of it
+  }
+  // 1 mm is its film, where all of it is laid.
+  EXPECT_LT(dab_of("round").deepest_m, 0.002);
+}
+
+TEST(Tap, OfAFlatBrushIsItsLineAndNoHeap) {
+  // Its print is a sixth as wide as high. What half a diameter of way takes would be 4 mm deep.
+  for (const char* brush : {"flat", "filbert", "bristle", "fan"}) {
+    const Dab dab = dab_of(brush);
+    EXPECT_LT(dab.wide_m, 0.5 * dab.high_m) << brush;
+    EXPECT_LT(dab.deepest_m, 0.0035) << brush;
+    EXPECT_GT(dab.deepest_m, 0.0005) << brush;
+  }
+}
+
 double wet_medium(const Simulation& sim) {
   return sim.wet().medium_m3;
 }

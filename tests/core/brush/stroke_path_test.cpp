@@ -105,14 +105,32 @@ TEST(StrokePath, LaysEqualTravelAtAnySpacing) {
   }
 }
 
-TEST(StrokePath, ATapIsOneStampOfHalfADiameter) {
+TEST(StrokePath, ATapIsADabOfHalfADiameterToAllSides) {
   const auto stamps = stamps_of({sample_at(0.3, 0.2, 1.0), sample_at(0.3, 0.2, 1.1)});
-  ASSERT_EQ(stamps.size(), 1u);
-  EXPECT_EQ(stamps[0].x_m, 0.3);
-  EXPECT_EQ(stamps[0].y_m, 0.2);
-  EXPECT_EQ(stamps[0].time_s, 1.1);
-  EXPECT_FLOAT_EQ(stamps[0].travel_m, 0.015f);
-  EXPECT_EQ(stamps[0].direction.x, 0.0f);
+  ASSERT_EQ(stamps.size(), 12u);
+  Vec2f sum;
+  for (const Stamp& s : stamps) {
+    EXPECT_EQ(s.x_m, 0.3);
+    EXPECT_EQ(s.y_m, 0.2);
+    EXPECT_EQ(s.time_s, 1.1);
+    EXPECT_FLOAT_EQ(s.travel_m, 0.015f / 12);
+    EXPECT_EQ(s.direction.x, 0.0f);
+    EXPECT_EQ(s.heading.x, 0.0f);
+    EXPECT_NEAR(s.dab.x * s.dab.x + s.dab.y * s.dab.y, 1, 1e-6f);
+    sum = {sum.x + s.dab.x, sum.y + s.dab.y};
+  }
+  for (int i = 0; i < 12; ++i) {  // each 30 degrees on from the one before
+    const Vec2f a = stamps[static_cast<std::size_t>(i)].dab;
+    const Vec2f b = stamps[static_cast<std::size_t>((i + 1) % 12)].dab;
+    EXPECT_NEAR(a.x * b.y - a.y * b.x, 0.5, 1e-6);
+  }
+  EXPECT_NEAR(sum.x, 0, 1e-6f);
+  EXPECT_NEAR(sum.y, 0, 1e-6f);
+}
+
+TEST(StrokePath, AStrokeOfADiameterHasNoDab) {
+  for (const Stamp& s : stamps_of({sample_at(0.3, 0.2, 0), sample_at(0.33, 0.2, 0.1)}))
+    EXPECT_TRUE(s.dab.x == 0 && s.dab.y == 0);
 }
 
 TEST(StrokePath, AShortTouchLaysNoLessThanATap) {
