@@ -193,6 +193,7 @@ PictureLayout lay_out(const ShadeScene& scene, const ShadeRequest& request,
   variant.channels = std::max(scene.canvas.channels(), 1);
   variant.samples_per_pixel = samples;
   variant.interpolate = !out.x.on_cells() || !out.y.on_cells();
+  variant.relief_samples = variant.interpolate ? 1 : request.relief_samples;
   variant.reflection_map = !scene.lighting.reflection.rgb[0].empty();
   variant.probe = !scene.lighting.probe[0].empty();
   variant.lamps = static_cast<int>(shining(scene.lighting).size());

@@ -28,7 +28,8 @@ struct AxisWindow {
   std::vector<float> table;  // per sample: cell before it, counted from first_cell; fraction onward
 };
 
-/// Cubic interpolation needs one cell before and two after each sample's own.
+/// Cubic interpolation between cells needs one cell before and two after each sample's own; slopes
+/// within a cell need two before it.
 AxisWindow axis_window(const SampleAxis& axis, int first_pixel, int count);
 
 }  // namespace pentimento

@@ -51,9 +51,10 @@ void set_reflection(const GlProgram& program, const ReflectionMap& map) {
 
 std::string ShadeVariant::defines() const {
   std::string text = define("PLANES", planes()) + define("SUPERSAMPLE", samples_per_pixel) +
-                     define("INTERPOLATE", interpolate) + define("REFLECTION_MAP", reflection_map) +
-                     define("PROBE", probe) + define("GLOSS_LEVELS", GlossTable::kLevels) +
-                     define("LAMPS", lamps) + define("OCCLUSION_PLANES", occlusion_planes());
+                     define("INTERPOLATE", interpolate) + define("RELIEF_SAMPLES", relief_samples) +
+                     define("REFLECTION_MAP", reflection_map) + define("PROBE", probe) +
+                     define("GLOSS_LEVELS", GlossTable::kLevels) + define("LAMPS", lamps) +
+                     define("OCCLUSION_PLANES", occlusion_planes());
   for (std::size_t i = 1; i < target.size(); ++i) {
     if (target[i] >= 0) text += define(kTargetDefine[i], target[i]);
   }

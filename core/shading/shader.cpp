@@ -72,11 +72,7 @@ class GlShader : public Shader {
                        std::string(spectral ? "the bands of the palette, " : "three bands, ") +
                        "this canvas has " + std::to_string(canvas.bands())};
     }
-    const bool inside = r.width > 0 && r.height > 0 && r.tile > 0 && r.crop_x >= 0 &&
-                        r.crop_y >= 0 && r.crop_width >= 0 && r.crop_height >= 0 &&
-                        r.crop_x <= r.width - std::max(r.crop_width, 1) &&
-                        r.crop_y <= r.height - std::max(r.crop_height, 1);
-    if (!inside) return Error{ErrorCode::kUsage, "the crop lies outside the picture"};
+    if (!is_inside(r)) return Error{ErrorCode::kUsage, "the crop lies outside the picture"};
     return {};
   }
 
@@ -129,6 +125,13 @@ class GlShader : public Shader {
 };
 
 }  // namespace
+
+bool is_inside(const ShadeRequest& r) {
+  return r.width > 0 && r.height > 0 && r.tile > 0 && r.crop_x >= 0 && r.crop_y >= 0 &&
+         r.crop_width >= 0 && r.crop_height >= 0 &&
+         r.crop_x <= r.width - std::max(r.crop_width, 1) &&
+         r.crop_y <= r.height - std::max(r.crop_height, 1);
+}
 
 Result<std::unique_ptr<Shader>> Shader::open(GlBackend backend, int gl_threads) {
   prepare_mesa(gl_threads);

@@ -2,7 +2,8 @@
 // A canvas becomes a picture: Kubelka-Munk, irradiance, Torrance-Sparrow, reflection
 // (R29-R35) in GLSL, in tiles with borders, through an offscreen context. Any size; the picture's
 // pixels and the canvas's cells are independent: where pixels are smaller, bilinear cells and
-// normals from bicubic height (A38); where they are larger, the mean of the cells' light.
+// normals from bicubic height (A38); where they are larger, the mean of the cells' light, each the
+// mean over four slopes of the bicubic height within the cell (A39).
 
 #include <memory>
 #include <string>
@@ -27,9 +28,15 @@ struct ShadeRequest {
   int crop_width = 0;
   int crop_height = 0;
   int tile = 1024;                // side of a tile without its border; smaller where memory asks
+  /// Slopes per cell and axis whose light a cell's is the mean of, where pixels are no smaller than
+  /// cells: 2, or 1, which is faster and glitters more.
+  int relief_samples = 2;
   std::vector<std::string> aovs;  // groups: albedo normal height depth diffuse specular reflection
                                   // wet pigment
 };
+
+/// Whether the picture has pixels and the crop lies in it.
+bool is_inside(const ShadeRequest& request);
 
 class Shader {
  public:

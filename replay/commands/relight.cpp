@@ -138,7 +138,8 @@ Result<JobReport> relight(const RelightJob& job, const Control& control) {
   OutputSet set(settings, watch);
   Result<std::vector<Frame>> frames = plan_frames(job, dump->lighting.lamps.front());
   if (!frames) return frames.error();
-  const Scene scene{canvas, dump->basis, dump->model, dump->lighting};
+  const Scene scene{canvas, dump->basis, dump->model, dump->lighting,
+                    dump->fine ? &guide : nullptr};
   for (const Frame& frame : *frames) {
     dump->lighting.lamps.front() = frame.lamp;
     Result<void> added = set.add_pictures(frame.outputs, scene, origin_of(*dump, job));

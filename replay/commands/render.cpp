@@ -219,7 +219,9 @@ Result<void> Replay::write(const std::vector<PlannedOutput>& files) {
   const log::Gravity gravity = session_.gravity.value_or(lighting_.gravity());
   for (Lamp& lamp : lighting.lamps) fix_lamp(lamp, gravity);
   // Pictures, then dumps.
-  const Scene scene{*view.canvas, simulation_->basis(), simulation_->model(), lighting};
+  const StateSource guide(simulation_->state());
+  const Scene scene{*view.canvas, simulation_->basis(), simulation_->model(), lighting,
+                    view.detail > 1 ? &guide : nullptr};
   const Origin from = origin(lighting);
   if (Result<void> shaded = outputs_.add_pictures(files, scene, from); !shaded) return shaded;
   if (!any_state(files)) return {};

@@ -7,6 +7,7 @@
 #include <deque>
 #include <utility>
 
+#include "core/shading/guided_picture.h"
 #include "formats/exr/exr_writer.h"
 #include "formats/io/output_file.h"
 #include "formats/png/png_writer.h"
@@ -261,7 +262,11 @@ Result<void> OutputSet::shade(const Scene& scene, const std::vector<std::size_t>
     watched.emplace_back(toned.back(), rows, settings_.control);
   }
   for (WatchedSink& sink : watched) sinks.push_back(&sink);
-  return shader_->shade(scene.canvas, scene.basis, scene.model, scene.lighting, request, sinks);
+  if (scene.guide == nullptr)
+    return shader_->shade(scene.canvas, scene.basis, scene.model, scene.lighting, request, sinks);
+  const Threads threads(settings_.threads);
+  return shade_guided(*shader_, {*scene.guide, scene.canvas}, scene.basis, scene.model,
+                      scene.lighting, request, threads, sinks);
 }
 
 Result<void> OutputSet::paint_debug_view(const Scene& scene,

@@ -25,6 +25,7 @@ struct Scene {
   const ChannelBasis& basis;
   const Model& model;
   const Lighting& lighting;
+  const CanvasSource* guide = nullptr;  // that `canvas` follows, if it is a finer one
 };
 
 /// Must outlive its OutputSet.

@@ -240,8 +240,25 @@ class ShadingReference {
     const auto covered = [](double film_m) { return 1 - std::exp(-std::max(film_m, 0.0) / 1e-4); };
     p.wet = covered(p.depth);
     const double paint = covered(p.depth + bilinear(s_.base_m, u, v) - bilinear(s_.paper_m, u, v));
-    light_up(p, paint, u, v);
-    return p;
+    const auto off_centre = [](double at) { return std::abs(at - std::round(at)) > 1e-6; };
+    if (off_centre(u) || off_centre(v)) {
+      light_up(p, paint, u, v);
+      return p;
+    }
+    // On a cell: the mean light of its quarters.
+    Pixel sum;
+    for (const double down : {-0.25, 0.25}) {
+      for (const double right : {-0.25, 0.25}) {
+        Pixel quarter = p;
+        quarter.normal = normal_at(u + right, v + down);
+        light_up(quarter, paint, u, v);
+        add(sum, quarter, 0.25);
+      }
+    }
+    const Rgb& n = sum.normal;
+    const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+    for (std::size_t c = 0; c < 3; ++c) sum.normal[c] = n[c] / length;
+    return sum;
   }
 
   void light_up(Pixel& p, double film, double u, double v) const {

@@ -121,8 +121,29 @@ Shaded shaded_at(ivec2 sample_index) {
 #ifdef PIGMENT_TARGET
   for (int i = 0; i < PLANES; ++i) s.pigment[i] = read_layer(amounts, i, place);
 #endif
-  light_up(s, point_at(place.cell, place.fraction, s.height), seen_at(place),
-           covered(paint_m(place)), 1.0 - rough_share);
+  vec3 point = point_at(place.cell, place.fraction, s.height);
+  Seen seen = seen_at(place);
+  float paint = covered(paint_m(place));
+#if RELIEF_SAMPLES > 1
+  // The mean light of the cell's quarters, each with the slope of its own.
+  vec2 slopes[4];
+  slopes_in_cell(place, slopes);
+  vec3 normal = vec3(0.0), diffuse = vec3(0.0), specular = vec3(0.0), reflection = vec3(0.0);
+  for (int i = 0; i < 4; ++i) {
+    s.normal = normal_of(slopes[i]);
+    light_up(s, point, seen, paint, 1.0 - rough_share);
+    normal += s.normal;
+    diffuse += s.diffuse;
+    specular += s.specular;
+    reflection += s.reflection;
+  }
+  s.normal = normalize(normal);
+  s.diffuse = 0.25 * diffuse;
+  s.specular = 0.25 * specular;
+  s.reflection = 0.25 * reflection;
+#else
+  light_up(s, point, seen, paint, 1.0 - rough_share);
+#endif
   return s;
 }
 

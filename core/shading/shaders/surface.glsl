@@ -61,7 +61,6 @@ struct Relief {
 
 float height_at(Place p, int x, int y) { return relief_of(p.cell + ivec2(x, y)).r; }
 
-#if INTERPOLATE
 // Catmull-Rom weights of cells -1, 0, 1, 2 and their derivatives: at a cell they are the value and
 // the central difference.
 vec4 cubic(float t) {
@@ -72,6 +71,8 @@ vec4 cubic_slope(float t) {
   return vec4((-1.5 * t + 2.0) * t - 0.5, (4.5 * t - 5.0) * t, (-4.5 * t + 4.0) * t + 0.5,
               (1.5 * t - 1.0) * t);
 }
+
+#if INTERPOLATE
 Relief relief_at(Place p) {
   vec4 across = cubic(p.fraction.x), across_slope = cubic_slope(p.fraction.x);
   vec4 down = cubic(p.fraction.y), down_slope = cubic_slope(p.fraction.y);
@@ -91,6 +92,31 @@ Relief relief_at(Place p) {
   vec2 slope = 0.5 * vec2(height_at(p, 1, 0) - height_at(p, -1, 0),
                           height_at(p, 0, 1) - height_at(p, 0, -1));
   return Relief(height_at(p, 0, 0), slope * relief_per_cell);
+}
+#endif
+
+#if RELIEF_SAMPLES > 1
+// Slopes of the relief at the centres of the cell's quarters, by cubic interpolation.
+void slopes_in_cell(Place p, out vec2 slopes[4]) {
+  vec4 value = cubic(0.25), slope = cubic_slope(0.25);
+  for (int i = 0; i < 4; ++i) slopes[i] = vec2(0.0);
+  for (int j = -2; j <= 2; ++j) {
+    float far_left = height_at(p, -2, j), left = height_at(p, -1, j), here = height_at(p, 0, j);
+    float right = height_at(p, 1, j), far_right = height_at(p, 2, j);
+    vec4 before = vec4(right, here, left, far_left);  // mirrored: a quarter to the left
+    vec4 after = vec4(left, here, right, far_right);
+    vec2 height = vec2(dot(value, before), dot(value, after));
+    vec2 rise = vec2(-dot(slope, before), dot(slope, after));
+    if (j < 2) {  // a quarter up, mirrored too
+      slopes[0] += vec2(value[1 - j] * rise.x, -slope[1 - j] * height.x);
+      slopes[1] += vec2(value[1 - j] * rise.y, -slope[1 - j] * height.y);
+    }
+    if (j > -2) {  // a quarter down
+      slopes[2] += vec2(value[j + 1] * rise.x, slope[j + 1] * height.x);
+      slopes[3] += vec2(value[j + 1] * rise.y, slope[j + 1] * height.y);
+    }
+  }
+  for (int i = 0; i < 4; ++i) slopes[i] *= relief_per_cell;
 }
 #endif
 

@@ -9,15 +9,15 @@ namespace {
 
 TEST(AxisWindow, AtTheGridsSizeEverySampleIsACell) {
   const AxisWindow w = axis_window({100, 100, 1}, 10, 3);
-  EXPECT_EQ(w.first_cell, 9);
-  EXPECT_EQ(w.cells, 6);
-  EXPECT_EQ(w.table, (std::vector<float>{1, 0, 2, 0, 3, 0}));
+  EXPECT_EQ(w.first_cell, 8);
+  EXPECT_EQ(w.cells, 7);
+  EXPECT_EQ(w.table, (std::vector<float>{2, 0, 3, 0, 4, 0}));
 }
 
 TEST(AxisWindow, EnlargedFourTimesSamplesLieAtOddEighths) {
   const AxisWindow w = axis_window({10, 40, 1}, 4, 4);
-  EXPECT_EQ(w.first_cell, -1);  // cell 0 and the one before it
-  EXPECT_EQ(w.table, (std::vector<float>{1, .625f, 1, .875f, 2, .125f, 2, .375f}));
+  EXPECT_EQ(w.first_cell, -2);  // cell 0 and the two before it
+  EXPECT_EQ(w.table, (std::vector<float>{2, .625f, 2, .875f, 3, .125f, 3, .375f}));
 }
 
 TEST(AxisWindow, ReducedTwiceSamplesEachCellOnce) {
@@ -25,7 +25,7 @@ TEST(AxisWindow, ReducedTwiceSamplesEachCellOnce) {
   EXPECT_EQ(samples_per_pixel(100, 99), 2);
   EXPECT_EQ(samples_per_pixel(50, 100), 1);
   const AxisWindow w = axis_window({100, 50, 2}, 0, 2);
-  EXPECT_EQ(w.table, (std::vector<float>{1, 0, 2, 0, 3, 0, 4, 0}));
+  EXPECT_EQ(w.table, (std::vector<float>{2, 0, 3, 0, 4, 0, 5, 0}));
 }
 
 TEST(AxisWindow, FractionsDoNotDependOnTheTile) {
