@@ -5,6 +5,7 @@
 #include "core/detail/dry_detail.h"
 #include "core/detail/flow/advect_detail.h"
 #include "core/detail/flow/level_detail.h"
+#include "core/detail/flow/level_relief.h"
 #include "core/detail/flow/moving_blocks.h"
 #include "core/detail/prolong_guide.h"
 #include "core/detail/resume_detail.h"
@@ -80,7 +81,7 @@ void DetailFollower::moved(const CanvasState& guide, const StepInput& in,
 void DetailFollower::stepped(const CanvasState& guide, const StepInput& in) {
   stamp_.finish();
   // Stamps and motion are done: what they left is brought to what the guide holds.
-  steepen_released_edges(guide);
+  settle_released_paint(guide, in.model);
   add_rounded(in);
   ++steps_;
   if (!changed_.empty()) {
@@ -108,11 +109,12 @@ void DetailFollower::add_rounded(const StepInput& in) {
   if (!box.empty()) changed_.add({box.x0, box.x1, box.y0, box.y1});
 }
 
-/// Steepens the edges of the paint that the brush has released. The lock then corrects these
+/// Paint that the brush has released gets steep edges and levels. The lock then corrects these
 /// blocks.
-void DetailFollower::steepen_released_edges(const CanvasState& guide) {
+void DetailFollower::settle_released_paint(const CanvasState& guide, const Model& model) {
   const std::vector<ReleasedBlock> left = released_.step();
   steepen_edges(canvas_, guide, left, threads_);
+  level_relief(canvas_, guide, left, model.surface_tension_N_m, threads_);
   for (const ReleasedBlock& block : left) changed_.add(block.at.y, block.at.x0, block.at.x1);
 }
 

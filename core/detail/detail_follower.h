@@ -59,7 +59,7 @@ class DetailFollower : public CanvasListener {
   const LockStatistics& lock_statistics() const { return lock_.statistics(); }
 
  private:
-  void steepen_released_edges(const CanvasState& guide);
+  void settle_released_paint(const CanvasState& guide, const Model& model);
   void add_rounded(const StepInput& in);
   void free_idle_planes(const CanvasState& guide);
   std::size_t rest_value(int tile) const;
