@@ -62,9 +62,9 @@ void level_bands(const ReliefStrength& strength, int factor, const Field<float>&
                  Field<float>& relief_m) {
   const int columns = relief_m.width(), rows = relief_m.height();
   Field<float> wide(columns, rows), narrow(columns, rows), levelled(columns, rows);
-  triangle_mean(relief_m, factor, wide);
+  triangle_mean(relief_m, std::max(1, factor / 2), wide);
   for (int y = 0; y < rows; ++y) std::copy_n(wide.row(y), columns, levelled.row(y));
-  for (int width = factor; width > 1; width /= 2) {
+  for (int width = factor / 2; width > 1; width /= 2) {
     const float wavelength_m = kWavelength * static_cast<float>(width) * strength.cell_m;
     if (width / 2 > 1) triangle_mean(relief_m, width / 2, narrow);
     const Field<float>& finer = width / 2 > 1 ? narrow : relief_m;

@@ -26,9 +26,9 @@ float standing_amplitude_m(const ReliefStrength& strength, float wavelength_m, f
 void triangle_mean(const Field<float>& in, int width, Field<float>& out);
 
 /// Levels `relief_m` (height over a smooth surface) of films of depth `film_m`:
-///   r' = B_k r + sum_j l(B_(w/2) r - B_w r),  w = k, k/2, ... while w > 1;  B_1 r = r
+///   r' = B_(k/2) r + sum_j l(B_(w/2) r - B_w r),  w = k/2, k/4, ... while w > 1;  B_1 r = r
 ///   l(a) = a / sqrt(1 + (a / m)^2),  m = standing_amplitude_m(1.5 w cells)
-/// B: triangle_mean(). Waves longer than two cells of the guide (k = `factor` fine cells) stay.
+/// B: triangle_mean(). Waves longer than a cell of the guide (k = `factor` fine cells) stay.
 /// Scheme: one pass; what stands is the amplitude at the end, however long it takes. Stable: no
 /// band grows. The bands of k and of 2 k have the same wavelengths in metres, so the slopes do not
 /// grow with k.
