@@ -55,7 +55,7 @@ LightLock::LightLock(const LightLockFrame& frame, const LightPlanes& light, cons
       across_(frame.x, frame.cell_columns),
       down_(frame.y, frame.cell_rows),
       mean_(3 * across_.cells(), kKept) {
-  for (Rows& gain : gain_) gain = Rows(3 * across_.cells(), kKept);
+  for (CellRows& gain : gain_) gain = CellRows(3 * across_.cells(), kKept);
 }
 
 Result<void> LightLock::write(const PictureStrip& strip) {
@@ -96,7 +96,7 @@ Result<void> LightLock::tick(int t) {
   return {};
 }
 
-GainRows LightLock::gains(Rows& rows, int y, int colour) const {
+GainRows LightLock::gains(CellRows& rows, int y, int colour) const {
   GainRows out{};
   for (int n = 0; n < 3; ++n)
     out[at(n)] = row(rows, std::clamp(y + n - 1, 0, down_.cells() - 1)) + colour * across_.cells();
@@ -104,7 +104,7 @@ GainRows LightLock::gains(Rows& rows, int y, int colour) const {
 }
 
 /// Mean light of a row of cells under a gain; without a gain as it came.
-void LightLock::find_means(int y, Rows* gain, float* mean) {
+void LightLock::find_means(int y, CellRows* gain, float* mean) {
   const int begin = down_.begin[at(y)], end = down_.begin[at(y) + 1];
   threads_.for_ranges(0, across_.cells(), kCellsPerTask, [&](int first, int last) {
     std::vector<float> factor(at(across_.pixel_run.count), 1.0f);
@@ -127,7 +127,7 @@ void LightLock::find_means(int y, Rows* gain, float* mean) {
 
 void LightLock::refine(int y, int round) {
   float* gain = row(gain_[at(round)], y);
-  Rows* before = round > 0 ? &gain_[at(round - 1)] : nullptr;
+  CellRows* before = round > 0 ? &gain_[at(round - 1)] : nullptr;
   find_means(y, before, gain);
   for (int colour = 0; colour < 3; ++colour) {
     const float* wanted =

@@ -50,14 +50,15 @@ class LightLock : public PictureSink {
   Result<void> write(const PictureStrip& strip) override;
 
  private:
-  using Rows = Field<float>;  // three colours beside each other in a row; row y is row y % kKept
+  /// Three colours beside each other in a row; row y is row y % kKept.
+  using CellRows = Field<float>;
   static constexpr int kKept = 4;
 
-  float* row(Rows& rows, int y) const { return rows.row(y % kKept); }
-  GainRows gains(Rows& rows, int y, int colour) const;
+  float* row(CellRows& rows, int y) const { return rows.row(y % kKept); }
+  GainRows gains(CellRows& rows, int y, int colour) const;
   void take(const PictureStrip& strip, int row);
   Result<void> tick(int t);
-  void find_means(int y, Rows* gain, float* mean);
+  void find_means(int y, CellRows* gain, float* mean);
   void refine(int y, int round);
   void refine_around(int y);
   Result<void> finish_cells(int y);
@@ -73,10 +74,10 @@ class LightLock : public PictureSink {
   std::deque<std::vector<float>> pixels_;  // rows that arrived and are not finished, plane by plane
   int arrived_ = 0, dropped_ = 0;          // rows of pixels
   int ticks_ = 0;
-  std::array<Rows, kRounds + 1> gain_;  // after each round
-  Rows mean_;                           // before the last round
-  std::vector<Field<float>> batch_;     // per plane: rows not yet handed on
-  int waiting_ = 0, done_ = 0;          // of them; of the rows asked for
+  std::array<CellRows, kRounds + 1> gain_;  // after each round
+  CellRows mean_;                           // before the last round
+  std::vector<Field<float>> batch_;         // per plane: rows not yet handed on
+  int waiting_ = 0, done_ = 0;              // of them; of the rows asked for
 };
 
 }  // namespace pentimento

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 
+#include "core/shading/guided_picture.h"
 #include "core/shading/shader.h"
 #include "formats/exr/exr_writer.h"
 #include "formats/png/png_writer.h"
@@ -73,6 +74,45 @@ void poster(benchmark::State& state) {
     std::filesystem::remove(path);
   }
 }
+
+/// What it costs that the light is the guide's: nothing is written. Arguments: the picture's width,
+/// which is the canvas's; cells and pixels on a cell of the guide, 0: no guide.
+void poster_light(benchmark::State& state) {
+  auto shader = Shader::open(GlBackend::kAuto, 2);
+  if (!shader) return state.SkipWithError(shader.error().message.c_str());
+  ShadeRequest request;
+  request.width = static_cast<int>(state.range(0));
+  request.height = request.width * 3 / 4;
+  request.relief_samples = 1;  // as under a guide
+  const int detail = static_cast<int>(state.range(1)), coarser = std::max(detail, 1);
+  const ChannelBasis basis = palette_channels(painted::palette());
+  const CanvasGeometry fine{request.width, request.height, 0.4, 0.3};
+  const reference::MadeUpCanvas canvas(fine, 2, basis.channels());
+  const reference::MadeUpCanvas guide({fine.width / coarser, fine.height / coarser, 0.4, 0.3}, 2,
+                                      basis.channels());
+  const Threads threads(2);
+  Drop drop;
+  const auto picture = [&] {
+    const auto done = detail == 0
+                          ? (*shader)->shade(canvas, basis, Model{}, Lighting{}, request, {&drop})
+                          : shade_guided(**shader, {guide, canvas}, basis, Model{}, Lighting{},
+                                         request, threads, {&drop});
+    if (!done) state.SkipWithError(done.error().message.c_str());
+  };
+  picture();  // compiles the programs, once per context
+  for (auto _ : state) picture();
+  const double megapixels = 1e-6 * request.width * request.height;
+  state.counters["s_per_Mpx"] =
+      benchmark::Counter(megapixels * static_cast<double>(state.iterations()),
+                         benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
+
+BENCHMARK(poster_light)
+    ->ArgNames({"width", "detail"})
+    ->ArgsProduct({{4096}, {0, 2, 4, 8}})
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
 
 BENCHMARK(poster)
     ->ArgNames({"width", "output"})

@@ -42,7 +42,7 @@ Canvas painted_canvas(int bands, int grid) {
 }
 
 void shade_canvas(benchmark::State& state, int picture_width, const Canvas& canvas,
-                  const Lighting& light = {}) {
+                  const Lighting& light = {}, int slopes = 2) {
   auto shader = Shader::open(GlBackend::kAuto, static_cast<int>(state.range(0)));
   if (!shader) {
     state.SkipWithError(shader.error().message.c_str());
@@ -51,6 +51,7 @@ void shade_canvas(benchmark::State& state, int picture_width, const Canvas& canv
   ShadeRequest request;
   request.width = picture_width;
   request.height = picture_width * 3 / 4;
+  request.relief_samples = slopes;
   Drop drop;
   const auto picture = [&] {
     auto done = (*shader)->shade(StateSource(canvas.state), canvas.basis, canvas.model, light,
@@ -69,6 +70,12 @@ void shade_canvas(benchmark::State& state, int picture_width, const Canvas& canv
 void shade(benchmark::State& state) {
   shade_canvas(state, static_cast<int>(state.range(1)),
                painted_canvas(0, static_cast<int>(state.range(2))));
+}
+
+/// Arguments: Mesa's threads; slopes per cell and axis whose light is a cell's. 1024 x 768 cells
+/// and pixels.
+void shade_slopes(benchmark::State& state) {
+  shade_canvas(state, 1024, painted_canvas(0, 1024), {}, static_cast<int>(state.range(1)));
 }
 
 /// Arguments: Mesa's threads; bands, 0 is RGB. 1024 x 768 cells and pixels.
@@ -121,6 +128,13 @@ BENCHMARK(shade_feature)
 BENCHMARK(shade)
     ->ArgNames({"gl_threads", "picture", "grid"})
     ->ArgsProduct({{0, 1, 2}, {1024, 2048}, {1024, 2048}})
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
+
+BENCHMARK(shade_slopes)
+    ->ArgNames({"gl_threads", "slopes"})
+    ->ArgsProduct({{1, 2}, {1, 2}})
     ->Unit(benchmark::kMillisecond)
     ->MeasureProcessCPUTime()
     ->UseRealTime();
