@@ -6,7 +6,9 @@
 
 namespace pentimento {
 namespace {
-constexpr float kLeastGain = 0.125f, kMostGain = 4;
+// Enough for 32 dB in every sample. Wider limits come nearer to the tablet's picture, and draw the
+// staircase of its cells into ridges that the finer canvas has smooth.
+constexpr float kLeastGain = 0.6f, kMostGain = 1 / 0.6f;
 constexpr int kCellsPerTask = 64;
 constexpr int kBatchRows = 128;  // handed on at once: sinks work on rows in parallel
 

@@ -18,7 +18,7 @@ class PlainLightLock {
     for (int round = 0; round < 4; ++round) {
       const Field<double> found = cell_means();
       for_cells([&](int i, int j) {
-        gain_(i, j) = std::clamp(gain_(i, j) * ratio(wanted_(i, j), found(i, j)), 0.125, 4.0);
+        gain_(i, j) = std::clamp(gain_(i, j) * ratio(wanted_(i, j), found(i, j)), 0.6, 1 / 0.6);
       });
     }
     const Field<double> found = cell_means();

