@@ -4,14 +4,19 @@
     table.py COMMAND RESULTS.jsonl [--scale 2,4,8,16] LOG...
 
 Renders each log on its own grid and at each scale, compares dumps and pictures with `COMMAND compare`
-and adds a line per log and scale to RESULTS.jsonl; what is there already is not done again. Then
-prints the table. Dumps live in a temporary folder (TMPDIR), one pair at a time.
+and adds a line per log and scale to RESULTS.jsonl; what is there already is not done again. Each
+picture is compared with the tablet's and with that of the scale before. Then prints the table. Dumps
+live in a temporary folder (TMPDIR), one pair at a time. Needs NumPy and Pillow.
 """
 import json
+import math
 import pathlib
 import subprocess
 import sys
 import tempfile
+
+import numpy
+from PIL import Image
 
 
 def run(*arguments):
@@ -32,6 +37,27 @@ def judged(planes):
     return [p for p in planes if "relative_l2" in p and not p["name"].startswith("/layers/pigment[")]
 
 
+def light(path):
+    """Mean of the picture in linear light."""
+    code = numpy.asarray(Image.open(path).convert("RGB")).astype(numpy.float64) / 255
+    return numpy.where(code <= 0.04045, code / 12.92, ((code + 0.055) / 1.055) ** 2.4).mean()
+
+
+def rms(picture):
+    return (sum(p["rms"] ** 2 for p in picture["planes"]) / len(picture["planes"])) ** 0.5
+
+
+def compare_with_last(command, folder):
+    """With the poster of the scale before, if that divides this one; then takes its place."""
+    poster, last = (pathlib.Path(folder) / name for name in ("poster.png", "last.png"))
+    found = None
+    if last.exists():
+        picture = run(command, "compare", str(last), str(poster), "--json")
+        found = rms(picture) if picture["comparable"] else None
+    poster.replace(last)
+    return found
+
+
 def measure(command, log, folder, tablet, scale):
     poster = render(command, log, folder, "poster", scale)
     state = run(command, "compare", f"{folder}/tablet.h5", f"{folder}/poster.h5", "--json")
@@ -39,29 +65,33 @@ def measure(command, log, folder, tablet, scale):
     planes = judged(state["planes"])
     pigments = [p for p in planes if p["name"].startswith("pigment")]
     depth = next(p for p in planes if p["name"] == "/fluid/depth")
-    squares = sum(p["rms"] ** 2 for p in picture["planes"]) / len(picture["planes"])
+    share = light(f"{folder}/poster.png") / light(f"{folder}/tablet.png")
     return {
         "log": pathlib.Path(log).stem, "scale": scale,
         "depth_l2": depth["relative_l2"],
         "pigment_l2": max((p["relative_l2"] for p in pigments), default=0),
         "worst_block": max(p["worst_block"] for p in planes),
         "same_guide": poster["guide_sha256"] == tablet["state_sha256"],
-        "rms": squares ** 0.5, "flip": picture["flip"]["mean"],
+        "rms": rms(picture), "flip": picture["flip"]["mean"], "light": share,
+        "rms_to_last": compare_with_last(command, folder),
         "lock": poster["lock"], "wall_s": poster["wall_s"],
         "peak_memory_bytes": poster["peak_memory_bytes"],
     }
 
 
+def decibels(value):
+    return "" if value is None else f"{-20 * math.log10(value):.1f}" if value > 0 else "inf"
+
+
 def print_table(rows):
-    import math
     print("| sample | k | depth, relative L2 | pigments, largest | worst block | guide's hash "
-          "| picture, PSNR dB | FLIP | blocks within 1 % before the lock |")
-    print("|---|---|---|---|---|---|---|---|---|")
+          "| light | PSNR, dB | FLIP | PSNR to the k before | blocks within 1 % before the lock |")
+    print("|---|---|---|---|---|---|---|---|---|---|---|")
     for r in sorted(rows, key=lambda r: (r["log"], r["scale"])):
-        psnr = -20 * math.log10(r["rms"]) if r["rms"] > 0 else math.inf
         print(f"| {r['log']} | {r['scale']} | {r['depth_l2']:.1e} | {r['pigment_l2']:.1e} "
               f"| {r['worst_block']:.1e} | {'the same' if r['same_guide'] else 'ANOTHER'} "
-              f"| {psnr:.1f} | {r['flip']:.3f} | {100 * r['lock']['within_0.01']:.1f} % |")
+              f"| {r['light']:.3f} | {decibels(r['rms'])} | {r['flip']:.3f} "
+              f"| {decibels(r['rms_to_last'])} | {100 * r['lock']['within_0.01']:.1f} % |")
 
 
 def main(arguments):
