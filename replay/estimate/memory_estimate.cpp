@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "core/shading/light_lock.h"
 #include "replay/output/output_plan.h"
 #include "replay/output/output_set.h"
 
@@ -43,6 +44,18 @@ std::int64_t sample_bytes(OutputKind kind, const PictureChoice& choice) {
   return choice.full_float ? 4 : 2;
 }
 
+/// The light lock of a poster: rows of pixels until the rows of cells below them are there, a batch
+/// of finished rows, and the guide's light.
+std::int64_t light_lock_bytes(const LogSession& session, const OutputSize& size,
+                              std::int64_t planes) {
+  const int whole = session.size.height;  // `size` may be a crop of it
+  if (session.detail == 1 || whole <= session.grid.height) return 0;
+  const std::int64_t rows = (LightLock::kReach + 1) * (whole / session.grid.height + 1);
+  constexpr std::int64_t kBatchRows = 128;
+  return (rows + kBatchRows) * size.width * planes * 4 +
+         std::int64_t{session.grid.width} * session.grid.height * 3 * 4;
+}
+
 /// Shading in tiles: a tile's part of the canvas as it is packed and as textures, its targets, and
 /// the strips on their way into files.
 std::int64_t shading_bytes(const LogSession& session, const PictureChoice& choice,
@@ -55,7 +68,8 @@ std::int64_t shading_bytes(const LogSession& session, const PictureChoice& choic
   const auto window =
       static_cast<std::int64_t>(static_cast<double>(across * down) * cells_a_pixel * cells_a_pixel);
   const std::int64_t strip = std::int64_t{size.width} * down * planes;
-  return kShader + window * 16 * (texels + 1) + across * down * 16 * 2 + strip * (4 + 3);
+  return kShader + window * 16 * (texels + 1) + across * down * 16 * 2 + strip * (4 + 3) +
+         light_lock_bytes(session, size, planes);
 }
 
 struct Writing {

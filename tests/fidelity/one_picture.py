@@ -1,0 +1,80 @@
+#!/usr/bin/env python3
+"""The tablet's picture beside the poster's, reduced: docs/fidelity.md.
+
+    one_picture.py COMMAND OUT.jpg [--scale 8] LOG:X,Y,SIZE...
+
+For each log a row: the picture at the grid's size, the poster reduced to that size in linear light, and
+of the poster SIZE x SIZE cells of the log's grid from cell (X, Y) on.
+"""
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+import numpy
+from PIL import Image
+
+Image.MAX_IMAGE_PIXELS = None
+GAP = 8
+
+
+def render(command, log, folder, scale):
+    path = f"{folder}/{scale}.png"
+    subprocess.run([command, "render", log, "--quiet", "-o", path, "--scale", str(scale)], check=True)
+    picture = Image.open(path).convert("RGB")
+    pathlib.Path(path).unlink()
+    return picture
+
+
+def linear(code):
+    code = code.astype(numpy.float32) / 255
+    return numpy.where(code <= 0.04045, code / 12.92, ((code + 0.055) / 1.055) ** 2.4)
+
+
+def reduced(picture, scale):
+    """Mean light of scale x scale pixels, row of blocks by row of blocks."""
+    code = numpy.asarray(picture)
+    height, width = code.shape[0] // scale, code.shape[1] // scale
+    rows = []
+    for y in range(height):
+        band = linear(code[y * scale:(y + 1) * scale])
+        rows.append(band.reshape(scale, width, scale, 3).mean(axis=(0, 2)))
+    light = numpy.stack(rows)
+    code = numpy.where(light <= 0.0031308, 12.92 * light, 1.055 * light ** (1 / 2.4) - 0.055)
+    return Image.fromarray((255 * code + 0.5).astype(numpy.uint8))
+
+
+def row(command, spec, scale, folder):
+    log, at = spec.rsplit(":", 1)
+    x, y, size = (int(v) * scale for v in at.split(","))
+    tablet = render(command, log, folder, 1)
+    poster = render(command, log, folder, scale)
+    crop = poster.crop((x, y, x + size, y + size)).resize((tablet.height, tablet.height), Image.LANCZOS)
+    return tablet, reduced(poster, scale), crop
+
+
+def main(arguments):
+    scale = 8
+    if "--scale" in arguments:
+        at = arguments.index("--scale")
+        scale = int(arguments[at + 1])
+        del arguments[at:at + 2]
+    if len(arguments) < 3:
+        sys.exit(__doc__)
+    command, out, *specs = arguments
+    with tempfile.TemporaryDirectory() as folder:
+        rows = [row(command, spec, scale, folder) for spec in specs]
+    width = max(sum(p.width + GAP for p in pictures) - GAP for pictures in rows)
+    sheet = Image.new("RGB", (width, sum(p[0].height + GAP for p in rows) - GAP), "white")
+    top = 0
+    for pictures in rows:
+        left = 0
+        for picture in pictures:
+            sheet.paste(picture, (left, top))
+            left += picture.width + GAP
+        top += pictures[0].height + GAP
+    sheet.save(out, quality=88)
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])
