@@ -33,8 +33,8 @@ ShadeRequest with_border(const ShadeRequest& request, const LightLockFrame& fram
 
 /// Takes the strips of with_border(), hands on the strips of the request. Per colour:
 ///   P <- P G,  G: the spline of g (light_gain.h)
-///   g = 1; four times: g <- g ratio(T, mean(P G)), within [0.6, 1/0.6]; then once with means of 3 x 3
-///   cells;  T: the guide's light, mean: over the pixels of a cell
+///   g = 1; four times: g <- g ratio(T, mean(P G)), within [0.6, 1/0.6]; then once with means of 3
+///   x 3 cells;  T: the guide's light, mean: over the pixels of a cell
 /// Scheme: multiplicative deconvolution (Richardson, J. Opt. Soc. Am. 62 (1972) 55-59; Lucy 1974),
 /// cut short. Stable: gains are bounded, light stays >= 0. Departs from it: without the second
 /// blur; the last round corrects the mean light of a neighbourhood, which the limits of the others

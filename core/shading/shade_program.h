@@ -17,7 +17,8 @@ struct ShadeVariant {
   int channels = 1;
   int samples_per_pixel = 1;
   bool interpolate = false;
-  int relief_samples = 1;  // slopes per cell, along each axis: 1, or 2 where nothing is interpolated
+  int relief_samples =
+      1;  // slopes per cell, along each axis: 1, or 2 where nothing is interpolated
   bool reflection_map = false;
   bool probe = false;  // the gloss shows a light probe
   int lamps = 1;       // that shine

@@ -37,8 +37,8 @@ TEST(SurfaceSpline, KeepsAPlaneAndItsHeight) {
 }
 
 TEST(SurfaceSpline, HoldsAboutWhatTheGuidesCellsHold) {
-  // Waves of three cells: the plain spline's means have 0.398 of their height, two rounds bring them
-  // to 1 - 0.602^3 = 0.782.
+  // Waves of three cells: the plain spline's means have 0.398 of their height, two rounds bring
+  // them to 1 - 0.602^3 = 0.782.
   const CanvasState state =
       guide([](int x, int) { return 1e-3 * (2 + std::sin(2 * 3.14159265 * x / 3)); });
   const Field<float> fine = surface_spline(state, {6, 18, 6, 18}, 8);
