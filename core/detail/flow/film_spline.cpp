@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "core/detail/flow/level_rows.h"
 #include "core/detail/flow/smooth_field.h"
@@ -10,10 +11,12 @@ namespace pentimento {
 
 namespace {
 constexpr float kBare = 0.02f;  // share of the fullest cell around: less is no film
-constexpr int kPasses = 3;
-constexpr int kTap = 2;  // cells on each side that the mean of a spline looks at
-constexpr int kAround = FilmSpline::kMargin + kPasses * kTap;
-constexpr float kMost = 4;  // the film stays within a quarter and four times the depth
+constexpr int kFits = 2;        // of the contour
+constexpr int kPasses = 3;      // of the film
+constexpr int kTap = 2;         // cells on each side that the mean of a spline looks at
+constexpr int kAround = FilmSpline::kMargin + (kFits + kPasses) * kTap;
+constexpr float kLeastProfile = 1e-3f;  // keeps a cell outside the contour from dividing by 0
+constexpr float kMost = 4;              // the film stays within a quarter and four times the depth
 // Where B(f) is more than this, no point of the cell has W below 0.99 and M is 1: even the corners
 // of the five by five cells have a weight of 7e-6.
 constexpr float kWhole = 1 - 1e-6f;
@@ -71,17 +74,42 @@ FilmSpline::FilmSpline(const Field<float>& plane, const CellBox& box)
       held[i] = plane(px, py);
       coverage_[i] = fill_at(plane, px, py);
     }
-  // M, the share that the edge's profile lets a cell hold; whole cells need no measuring.
+  // The contour comes as far as the cells at the edge need.
+  const std::vector<float> mean = spline_means(held, width_, height_);
+  for (int fit = 1; fit <= kFits; ++fit) fit_coverage(held, mean, fit * kTap);
+  // The film is adjusted until the spline's means are what the cells hold.
   film_ = held;
   const std::vector<float> spread = spline_means(coverage_, width_, height_);
-  std::vector<float> profile(cells, 1.0f);
+  const std::vector<float> profile = profile_means(held, spread);
+  for (int pass = 1; pass <= kPasses; ++pass) sharpen(held, profile, spread, (kFits + pass) * kTap);
+}
+
+/// One pass over the cells that are at least `margin` away from the border. `mean`: B(d).
+void FilmSpline::fit_coverage(const std::vector<float>& held, const std::vector<float>& mean,
+                              int margin) {
+  const std::vector<float> spread = spline_means(coverage_, width_, height_);
+  const std::vector<float> profile = profile_means(held, spread);
+  for (int y = margin; y < height_ - margin; ++y)
+    for (int x = margin; x < width_ - margin; ++x) {
+      const std::size_t i = static_cast<std::size_t>(y * width_ + x);
+      if (!(held[i] > 0) || !(coverage_[i] < 1)) continue;
+      const float holds = std::max(profile[i], kLeastProfile) * mean[i];
+      const float factor = std::clamp(std::sqrt(held[i] * spread[i] / holds), 0.5f, 2.0f);
+      coverage_[i] = std::min(coverage_[i] * factor, 1.0f);
+    }
+}
+
+/// M, the share that the edge's profile lets each cell hold; whole cells need no measuring.
+/// `spread`: B(f).
+std::vector<float> FilmSpline::profile_means(const std::vector<float>& held,
+                                             const std::vector<float>& spread) const {
+  std::vector<float> profile(held.size(), 1.0f);
   for (int y = kTap; y < height_ - kTap; ++y)
     for (int x = kTap; x < width_ - kTap; ++x) {
       const std::size_t cell = static_cast<std::size_t>(y * width_ + x);
       if (held[cell] > 0 && spread[cell] < kWhole) profile[cell] = profile_mean(cell);
     }
-  // The film is adjusted until the spline's means are what the cells hold.
-  for (int pass = 1; pass <= kPasses; ++pass) sharpen(held, profile, spread, pass * kTap);
+  return profile;
 }
 
 /// M of a cell, from 4 x 4 points: along the rows first, then down.

@@ -11,18 +11,20 @@
 namespace pentimento {
 
 /// For a plane d of the guide (depth or a pigment), per cell:
-///   f = d / the largest d around, where one of the four cells beside it is bare; else 1, or 0 if
-///      d = 0;
+///   f: d / the largest d around, where one of the four cells beside it is bare; else 1, or 0 if
+///      d = 0; then twice, where it is below 1, f <- f sqrt(d B(f) / (M B(d))), each factor in
+///      [1/2, 2], f at most 1;
 ///   c: three times c <- c d / (M B(c) / B(f)), from c = d, each factor in [1/2, 2], c in
 ///      [d/4, 4d];
 ///      M: mean over the cell of the edge's profile m(W) (level_rows.h), W the spline of f;
 ///      B: mean over the cell of the spline, (1, 76, 230, 76, 1) / 384 along each axis
 /// so that the film m(W) S, S the spline of c over W, holds about what the guide's cells hold: a
 /// spline of d itself flattens whatever is one cell wide, and the lock would bring it back cell by
-/// cell, as beads.
+/// cell, as beads. The contour comes as far into the corner cells of a staircase as their paint
+/// needs: else the lock would heap that paint up in the corners, as spikes.
 /// Scheme: multiplicative deconvolution (Richardson, J. Opt. Soc. Am. 62 (1972) 55-59; Lucy 1974),
 /// without the second blur. Stable: positive, bounded. Departs from it: M is taken out of the mean
-/// of the product. Depends on d within 8 cells, and on nothing else: neighbouring boxes agree where
+/// of the product. Depends on d within 13 cells, and on nothing else: neighbouring boxes agree where
 /// they meet.
 class FilmSpline {
  public:
@@ -38,6 +40,9 @@ class FilmSpline {
     return static_cast<std::size_t>((y - y0_) * width_ + x - x0_);
   }
   float profile_mean(std::size_t cell) const;
+  std::vector<float> profile_means(const std::vector<float>& held,
+                                   const std::vector<float>& spread) const;
+  void fit_coverage(const std::vector<float>& held, const std::vector<float>& mean, int margin);
   void sharpen(const std::vector<float>& held, const std::vector<float>& profile,
                const std::vector<float>& spread, int margin);
 

@@ -146,6 +146,7 @@ void ConservativeScheme::part_of_step(CanvasState& state, const StepInput& in, i
   passed("edges");
   // ... and foresees where the surface comes to if all goes on as it moves.
   for_runs(in.threads, tiles_->runs(), [&](const Run& r) { foresee_surface(state, in, r); });
+  copy_sleeping_neighbours(state);
   passed("surface");
   // 5. Viscosity: evens out the velocity inside each film.
   apply_viscosity(state, in);
@@ -245,6 +246,22 @@ void ConservativeScheme::foresee_surface(const CanvasState& state, const StepInp
               surface);
 }
 
+// 4e. A surface goes on into tiles that sleep: paint does not cross their borders, but its
+// curvature there is that of all paint. Else what rests would begin to move when its neighbour
+// falls asleep.
+void ConservativeScheme::copy_sleeping_neighbours(const CanvasState& state) {
+  const auto copy = [&](int y, int x0, int x1) {
+    for (int x = x0; x < x1; ++x)
+      work_.surface_m.row(y)[x] = state.base_m(x, y) + state.depth_m(x, y);
+  };
+  for (const Run& r : tiles_->runs()) {
+    if (r.x0 > 0) copy(r.y, r.x0 - 1, r.x0);
+    if (r.x1 < geometry_.width) copy(r.y, r.x1, r.x1 + 1);
+    for (const int y : {r.y - 1, r.y + 1})
+      tiles_->for_sleeping_beside(r, y, [&](int x0, int x1) { copy(y, x0, x1); });
+  }
+}
+
 void ConservativeScheme::apply_viscosity(const CanvasState& state, const StepInput& in) {
   Multigrid& solver = work_.solver;
   const float per_dx2 = in.dt_s / (state.geometry.dx_m() * state.geometry.dx_m());
@@ -272,24 +289,41 @@ void ConservativeScheme::apply_viscosity(const CanvasState& state, const StepInp
   }
 }
 
-// 6a. Between which cells paint has one surface. The weights lie on planes that the solver does not
-// need yet.
+// 6a. Between which cells paint has one surface, also towards cells that sleep. The weights lie on
+// planes that the solver does not need yet.
 void ConservativeScheme::find_films(const CanvasState& state, const Run& r) {
-  const auto weigh = [&](Axis axis, float cell_m, float* weight) {
-    std::fill_n(weight + r.x0, r.size(), 0.0f);
-    for_open_faces(*tiles_, axis, r, [&](int x, int n) {
-      const float* a = state.depth_m.row(r.y) + x;
-      const float* b = axis == Axis::kX ? a + 1 : state.depth_m.row(r.y + 1) + x;
-      film_weight_row(a, b, kLeastFilm_m, 1 / (cell_m * cell_m), n, weight + x);
-    });
+  const auto weigh = [&](Axis axis, int x, int y, int n) {
+    const float cell_m = axis == Axis::kX ? state.geometry.dx_m() : state.geometry.dy_m();
+    const float* a = state.depth_m.row(y) + x;
+    const float* b = axis == Axis::kX ? a + 1 : state.depth_m.row(y + 1) + x;
+    WorkPlane& weight = axis == Axis::kX ? work_.solver.cx() : work_.solver.cy();
+    film_weight_row(a, b, kLeastFilm_m, 1 / (cell_m * cell_m), n, weight.row(y) + x);
   };
-  weigh(Axis::kX, state.geometry.dx_m(), work_.solver.cx().row(r.y));
-  weigh(Axis::kY, state.geometry.dy_m(), work_.solver.cy().row(r.y));
+  const bool left = r.x0 > 0, right = r.x1 < geometry_.width;
+  if (!right) work_.solver.cx().row(r.y)[r.x1 - 1] = 0;
+  const int first = left ? r.x0 - 1 : r.x0, last = right ? r.x1 : r.x1 - 1;
+  if (last > first) weigh(Axis::kX, first, r.y, last - first);
+  if (r.y + 1 < geometry_.height) {
+    weigh(Axis::kY, r.x0, r.y, r.size());
+  } else {
+    std::fill_n(work_.solver.cy().row(r.y) + r.x0, r.size(), 0.0f);
+  }
+  tiles_->for_sleeping_beside(r, r.y - 1,
+                              [&](int x0, int x1) { weigh(Axis::kY, x0, r.y - 1, x1 - x0); });
+}
+
+// 7a, before the solver: cells that sleep have no couplings.
+void ConservativeScheme::forget_sleeping_films(const Run& r) {
+  if (r.x0 > 0) work_.solver.cx().row(r.y)[r.x0 - 1] = 0;
+  tiles_->for_sleeping_beside(r, r.y - 1, [&](int x0, int x1) {
+    std::fill(work_.solver.cy().row(r.y - 1) + x0, work_.solver.cy().row(r.y - 1) + x1, 0.0f);
+  });
 }
 
 // 6b. The head of that surface's curvature. Gravity and bed friction: u* = friction (u - dt
 // mobility g), on the faces of one run.
-void ConservativeScheme::apply_gravity(const StepInput& in, const Run& r) {
+void ConservativeScheme::apply_gravity(const CanvasState& state, const StepInput& in,
+                                       const Run& r) {
   const auto apply = [&](NodePlanes& n, float speed) {
     const LateralGravity g{speed, in.model.dry_film_m(), in.model.phi_scales_lateral};
     force_row(g, n.depth_m.row(r.y) + r.x0, n.mobility_frac.row(r.y) + r.x0,
@@ -300,9 +334,13 @@ void ConservativeScheme::apply_gravity(const StepInput& in, const Run& r) {
   Multigrid& solver = work_.solver;
   const WorkPlane& surface = work_.surface_m;
   const int x = r.x0;
+  const EdgeDrop most = {0.5f * kContactSlope * state.geometry.dx_m(),
+                         0.5f * kContactSlope * state.geometry.dy_m(),
+                         carried_by_tension(in.model)};
   curvature_row({surface.row(r.y - 1) + x, surface.row(r.y) + x, surface.row(r.y + 1) + x,
-                 solver.cx().row(r.y) + x, solver.cy().row(r.y - 1) + x, solver.cy().row(r.y) + x},
-                in.model.tension_m3_s2(), r.size(), solver.zero_order().row(r.y) + x);
+                 state.base_m.row(r.y) + x, solver.cx().row(r.y) + x, solver.cy().row(r.y - 1) + x,
+                 solver.cy().row(r.y) + x},
+                most, in.model.tension_m3_s2(), r.size(), solver.zero_order().row(r.y) + x);
 }
 
 FluxRow ConservativeScheme::fluxes(const Run& r) const {
@@ -354,6 +392,7 @@ void ConservativeScheme::apply_tension(const CanvasState& state, const StepInput
 // unit slope.
 void ConservativeScheme::fill_height(const CanvasState& state, const StepInput& in, const Run& r) {
   Multigrid& solver = work_.solver;
+  forget_sleeping_films(r);
   height_rhs_row(fluxes(r), work_.height_m.row(r.y) + r.x0, in.dt_s / state.geometry.dx_m(),
                  in.dt_s / state.geometry.dy_m(), r.size(), solver.rhs().row(r.y) + r.x0);
   const float gravity = positive(in.gravity_m_s2.z);
@@ -397,7 +436,7 @@ void ConservativeScheme::solve_height(CanvasState& state, const StepInput& in) {
                      {.guess = &work_.height_m,
                       .unit_zero_order = true,
                       .fill = {[&](const Run& r) { find_films(state, r); },
-                               [&](const Run& r) { apply_gravity(in, r); },
+                               [&](const Run& r) { apply_gravity(state, in, r); },
                                [&](const Run& r) { find_crowding(state, in, r); },
                                [&](const Run& r) { apply_tension(state, in, r); },
                                [&](const Run& r) { fill_height(state, in, r); }},

@@ -47,8 +47,10 @@ class ConservativeScheme : public FluidScheme {
   void pin_edges(const CanvasState& state, const StepInput& in);
   FluxRow fluxes(const Run& r) const;
   void foresee_surface(const CanvasState& state, const StepInput& in, const Run& r);
+  void copy_sleeping_neighbours(const CanvasState& state);
   void find_films(const CanvasState& state, const Run& r);
-  void apply_gravity(const StepInput& in, const Run& r);
+  void forget_sleeping_films(const Run& r);
+  void apply_gravity(const CanvasState& state, const StepInput& in, const Run& r);
   void find_crowding(const CanvasState& state, const StepInput& in, const Run& r);
   void apply_tension(const CanvasState& state, const StepInput& in, const Run& r);
   void fill_height(const CanvasState& state, const StepInput& in, const Run& r);

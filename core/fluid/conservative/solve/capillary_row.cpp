@@ -3,6 +3,17 @@
 #include "core/base/kernel.h"
 
 namespace pentimento::conservative {
+namespace {
+constexpr float kFades = 0.3f;  // of the deepest film that its surface carries: curvature_row
+
+/// weight * the rise to the next cell, or, where the weight is negative, the drop to the edge of
+/// the film: at most `most`, and none towards a cell that stands higher.
+inline __attribute__((always_inline)) float weighted_rise(float weight, float rise, float most) {
+  const float fall = rise < 0 ? -rise : 0.0f;
+  const float drop = fall < most ? fall : most;
+  return weight * (weight < 0 ? drop : rise);
+}
+}  // namespace
 
 PENTIMENTO_KERNEL
 void film_weight_row(const float* __restrict depth_a, const float* __restrict depth_b,
@@ -11,23 +22,35 @@ void film_weight_row(const float* __restrict depth_a, const float* __restrict de
   PENTIMENTO_INDEPENDENT
   for (int i = 0; i < n; ++i) {
     const float shallow = depth_a[i] < depth_b[i] ? depth_a[i] : depth_b[i];
-    weight[i] = shallow > least ? per_d2 : 0.0f;
+    const float deep = depth_a[i] < depth_b[i] ? depth_b[i] : depth_a[i];
+    const float edge = deep > least ? -2 * per_d2 : 0.0f;
+    weight[i] = shallow > least ? per_d2 : edge;
   }
 }
 
 PENTIMENTO_KERNEL
-void curvature_row(const SurfaceRow& s, float tension_m3_s2, int n, float* __restrict head_m2_s2) {
+void curvature_row(const SurfaceRow& s, const EdgeDrop& most, float tension_m3_s2, int n,
+                   float* __restrict head_m2_s2) {
   const float* __restrict above = s.above_m;
   const float* __restrict here = s.here_m;
   const float* __restrict below = s.below_m;
+  const float* __restrict base = s.base_m;
   const float* __restrict wx = s.weight_x;
   const float* __restrict wa = s.weight_above;
   const float* __restrict wb = s.weight_below;
+  const float most_x = most.x_m, most_y = most.y_m, per_fade = 1 / (kFades * most.carried_m);
   PENTIMENTO_INDEPENDENT
   for (int i = 0; i < n; ++i) {
     const float h = here[i];
-    const float across = wx[i] * (here[i + 1] - h) - wx[i - 1] * (h - here[i - 1]);
-    const float down = wb[i] * (below[i] - h) - wa[i] * (h - above[i]);
+    const float over = h - base[i], depth = over > 0 ? over : 0.0f;
+    const float light = 2 - depth * per_fade;
+    const float fading = light > 0 ? (light < 1 ? light : 1.0f) : 0.0f;
+    const float drop_x = fading * (depth < most_x ? depth : most_x);
+    const float drop_y = fading * (depth < most_y ? depth : most_y);
+    const float across = weighted_rise(wx[i], here[i + 1] - h, drop_x) +
+                         weighted_rise(wx[i - 1], here[i - 1] - h, drop_x);
+    const float down =
+        weighted_rise(wb[i], below[i] - h, drop_y) + weighted_rise(wa[i], above[i] - h, drop_y);
     head_m2_s2[i] = tension_m3_s2 * (across + down);
   }
 }

@@ -4,7 +4,12 @@
 
 namespace pentimento::conservative {
 
-/// Weights of the faces between the cells a and b of a row: per_d2 between two films, else 0.
+/// Slope at which a film ends on the canvas: 56 degrees. Oil wets a primed canvas; paint with
+/// pigment in it less so.
+inline constexpr float kContactSlope = 1.5f;
+
+/// Weights of the faces between the cells a and b of a row: per_d2 between two films, -2 per_d2 at
+/// the edge of a film, for the edge is half a cell away; 0 between bare cells.
 /// A cell with less than `least_film_m` of paint has no surface of its own; a film ends there, and
 /// contact_line.h holds its edge.
 void film_weight_row(const float* depth_a, const float* depth_b, float least_film_m, float per_d2,
@@ -16,17 +21,32 @@ struct SurfaceRow {
   const float* above_m;
   const float* here_m;
   const float* below_m;
+  const float* base_m;        // what the cells of the middle row stand on
   const float* weight_x;      // of the right faces; readable one face to the left
   const float* weight_above;  // 1/m^2
   const float* weight_below;
 };
 
+/// How far a surface falls on the half cell to the film's edge.
+struct EdgeDrop {
+  float x_m = 0;  // at most: kContactSlope / 2 cells
+  float y_m = 0;
+  float carried_m = 1;  // c: the deepest film that its surface carries, > 0
+};
+
 /// The curvature of the surface, in m^2/s^2 as a head: s lap h.
-/// Scheme: 5 points, 2nd order; no slope across an edge of the film, as where it meets a wall.
-/// Stable: alone it does nothing.
+/// At an edge of the film the surface comes down to the canvas, or as far as kContactSlope allows;
+/// beside bare canvas that stands higher, as at the shore of a lake, and at a wall it has no slope.
+/// Nor where the edge is deeper than 0.6 c: it ends in a front that contact_line.h holds. From 0.3
+/// c on the drop fades. Behind such an edge the film is so deep that it does not have all of its
+/// tension, which then has no potential: paint would circulate there for ever.
+/// Scheme: 5 points, 2nd order; 1st order at an edge.
+/// Stable: alone it does nothing. With edges on any sides, -lap has no eigenvalue above that of the
+/// shortest wave, L (capillary_force_row).
 /// Source: Young and Laplace, p = -sigma lap h for small slopes; Orchard 1962.
 /// Departs from it: the slope's square is left out, so steep walls count as more curved.
-void curvature_row(const SurfaceRow& surface, float tension_m3_s2, int n, float* head_m2_s2);
+void curvature_row(const SurfaceRow& surface, const EdgeDrop& most, float tension_m3_s2, int n,
+                   float* head_m2_s2);
 
 /// The surface that the paint's motion leads to, as far as the explicit half of the tension trusts
 /// it. `surface_m` holds the one of the whole step (height_rhs_row) and becomes

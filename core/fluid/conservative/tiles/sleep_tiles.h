@@ -69,6 +69,15 @@ class SleepTiles {
     for (int c = r.x0 / tile_width_; c * tile_width_ < r.x1; ++c)
       if (awake(c, below)) body(c * tile_width_, std::min((c + 1) * tile_width_, width_));
   }
+  /// Calls body(x0, x1) for the cells [x0, x1) beside run `r` in row y, above or below it, that
+  /// sleep. Row y may lie beyond the canvas.
+  template <typename Body>
+  void for_sleeping_beside(const Run& r, int y, const Body& body) const {
+    if (y < 0 || y >= height_ || y / tile_height_ == r.y / tile_height_) return;
+    for (int c = r.x0 / tile_width_; c * tile_width_ < r.x1; ++c)
+      if (!awake(c, y / tile_height_))
+        body(c * tile_width_, std::min((c + 1) * tile_width_, width_));
+  }
 
  private:
   /// Where in a tile paint moves, and how far it comes in one step.

@@ -69,14 +69,37 @@ TEST(FilmSpline, AnEdgeHoldsWhatItsCellsHold) {
   EXPECT_LT(worst_of(plane), 0.25f);
 }
 
-TEST(FilmSpline, ACellBesideBareOnesIsAsFullAsItIsDeep) {
+TEST(FilmSpline, TheContourComesAsFarAsAnEdgeHasPaint) {
+  // The outermost cell has a quarter of its neighbour's depth, or half of it. The contour is that
+  // of the edge's profile: the more paint, the further out.
+  const auto coverage = [](float outermost_m) {
+    Field<float> plane(kSide, kSide);
+    for (int y = 0; y < kSide; ++y)
+      for (int x = 0; x < 16; ++x) plane(x, y) = x == 15 ? outermost_m : 0.002f;
+    const Field<float> mean = film_means(plane);
+    EXPECT_NEAR(mean(15 - kBox.x0, 8), outermost_m, 0.1f * outermost_m);
+    const FilmSpline spline(plane, kBox);
+    EXPECT_EQ(spline.coverage(14, 16), 1);
+    EXPECT_EQ(spline.coverage(16, 16), 0);
+    return spline.coverage(15, 16);
+  };
+  const float quarter = coverage(0.0005f), half = coverage(0.001f);
+  EXPECT_GT(quarter, 0);
+  EXPECT_LT(quarter, half);
+  EXPECT_LT(half, 1);
+}
+
+TEST(FilmSpline, TheCornersOfAStaircaseHoldWhatTheirCellsHold) {
+  // The film ends as tension leaves it: its corners have a third of the cells behind them. With a
+  // contour of the depths alone they would hold a tenth of that.
   Field<float> plane(kSide, kSide);
   for (int y = 0; y < kSide; ++y)
-    for (int x = 0; x < 16; ++x) plane(x, y) = x == 15 ? 0.0005f : 0.002f;
-  const FilmSpline spline(plane, kBox);
-  EXPECT_EQ(spline.coverage(14, 16), 1);
-  EXPECT_EQ(spline.coverage(15, 16), 0.25f);
-  EXPECT_EQ(spline.coverage(16, 16), 0);
+    for (int x = 0; x + y <= kSide; ++x) plane(x, y) = x + y == kSide ? 0.0003f : 0.0009f;
+  const Field<float> mean = film_means(plane);
+  for (int x = 12; x <= 20; ++x) {
+    const float held = mean(x - kBox.x0, kSide - x - kBox.y0);
+    EXPECT_NEAR(held, 0.0003f, 0.0001f) << x;
+  }
 }
 
 TEST(FilmSpline, NeighbouringBoxesAgree) {

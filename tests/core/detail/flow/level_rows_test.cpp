@@ -11,9 +11,9 @@ constexpr int kCells = 5;
 
 TEST(LevelRows, TheEdgeHasAFullAndABareSide) {
   EXPECT_EQ(edge_profile(0), 0);
-  EXPECT_EQ(edge_profile(0.87f), 1);
-  EXPECT_FLOAT_EQ(edge_profile(0.67f), 0.5f);  // the profile is odd about its middle
-  EXPECT_LT(edge_profile(0.47f), 0.01f);       // the skirt
+  EXPECT_EQ(edge_profile(0.85f), 1);
+  EXPECT_FLOAT_EQ(edge_profile(0.6f), 0.5f);  // the profile is odd about its middle
+  EXPECT_LT(edge_profile(0.35f), 0.01f);      // the skirt
 }
 
 /// A film of 1 mm over ground at 2 mm, relaxed by half.

@@ -74,6 +74,18 @@ TEST(ContactLine, LeavesAShallowPuddleAsItIs) {
   EXPECT_EQ(b.scheme.awake_share(), 0);
 }
 
+TEST(ContactLine, AShallowPuddleRoundsItsEdgeAndKeepsItsOutline) {
+  Basin b({64, 64, 0.064, 0.064});
+  b.fill_depth([](int x, int y) { return x > 16 && x < 48 && y > 16 && y < 48 ? 0.0008f : 0.0f; });
+  b.steps(45 * 20);
+  EXPECT_EQ(b.scheme.awake_share(), 0) << "at rest within twenty seconds";
+  for (int y = 0; y < 64; ++y)
+    for (int x = 0; x < 64; ++x)
+      EXPECT_EQ(b.state.depth_m(x, y) > 0, x > 16 && x < 48 && y > 16 && y < 48) << x << ' ' << y;
+  EXPECT_LT(b.state.depth_m(17, 32), 0.6f * b.state.depth_m(20, 32));
+  EXPECT_LT(b.state.depth_m(32, 47), 0.6f * b.state.depth_m(32, 44));
+}
+
 TEST(ContactLine, BringsAPuddleToRestAtItsDepth) {
   Basin b({96, 96, 0.096, 0.096});
   b.fill_depth([](int x, int y) { return x > 32 && x < 64 && y > 32 && y < 64 ? 0.008f : 0.0f; });

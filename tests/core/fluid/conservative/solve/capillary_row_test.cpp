@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
 
 namespace pentimento::conservative {
@@ -14,7 +15,9 @@ TEST(CapillaryRow, AFilmEndsWherePaintDoes) {
   float weight[4];
   film_weight_row(a, b, 5e-5f, 7, 4, weight);
   EXPECT_EQ(weight[0], 7);
-  for (int i = 1; i < 4; ++i) EXPECT_EQ(weight[i], 0) << i;
+  EXPECT_EQ(weight[1], -14);  // an edge is half a cell away
+  EXPECT_EQ(weight[2], -14);
+  EXPECT_EQ(weight[3], 0);
 }
 
 TEST(CapillaryRow, TheHeadIsTheCurvatureOfAParaboloid) {
@@ -27,20 +30,67 @@ TEST(CapillaryRow, TheHeadIsTheCurvatureOfAParaboloid) {
           3 * fx * fx - 2 * fy * fy + fx + 4;
     }
   std::vector<float> across(6, 1.0f), down(6, 0.25f);
+  const std::vector<float> base(6, 0.0f);
   float head[4];
-  curvature_row({h[0].data() + 1, h[1].data() + 1, h[2].data() + 1, across.data() + 1,
-                 down.data() + 1, down.data() + 1},
-                0.5f, 4, head);
+  curvature_row({h[0].data() + 1, h[1].data() + 1, h[2].data() + 1, base.data() + 1,
+                 across.data() + 1, down.data() + 1, down.data() + 1},
+                {}, 0.5f, 4, head);
   for (const float value : head) EXPECT_EQ(value, 0.5f * 2);
 }
 
-TEST(CapillaryRow, AnEdgeOfTheFilmHasNoSlope) {
-  // A film of one height that ends on the right and above: the neighbours' heights do not matter.
-  const float above[] = {9, 9, 9}, here[] = {1, 1, 8}, below[] = {1, 1, 1};
+TEST(CapillaryRow, AWallHasNoSlope) {
+  // A film of one height beside walls on the right and above: what is behind them does not matter.
+  const float above[] = {9, 9, 9}, here[] = {1, 1, 8}, below[] = {1, 1, 1}, base[] = {0, 0, 0};
   const float across[] = {1, 0, 0}, none[] = {0, 0, 0}, all[] = {1, 1, 1};
-  float head = -1;
-  curvature_row({above + 1, here + 1, below + 1, across + 1, none + 1, all + 1}, 1, 1, &head);
+  float head = 1;
+  curvature_row({above + 1, here + 1, below + 1, base + 1, across + 1, none + 1, all + 1}, {2, 2},
+                1, 1, &head);
   EXPECT_EQ(head, 0);
+}
+
+TEST(CapillaryRow, AtAnEdgeTheSurfaceComesDownToTheCanvas) {
+  // A cell of height 3 on a base of 1 with edges right, left, above and below: down by its depth,
+  // or as far as the slope allows.
+  const float low[] = {1, 1, 1}, here[] = {1, 3, 1}, base[] = {1, 1, 1};
+  const float edge[] = {-2, -2}, right[] = {0, -2}, left[] = {-2, 0}, none[] = {0, 0};
+  const auto head_of = [&](const float* across, const float* up, const float* down, EdgeDrop most) {
+    float head = 1;
+    curvature_row({low + 1, here + 1, low + 1, base + 1, across + 1, up, down}, most, 1, 1, &head);
+    return head;
+  };
+  EXPECT_EQ(head_of(right, none, none, {9, 9, 99}), -4);
+  EXPECT_EQ(head_of(left, none, none, {9, 9, 99}), -4);
+  EXPECT_EQ(head_of(right, none, none, {0.5f, 9, 99}), -1);
+  EXPECT_EQ(head_of(none, edge, none, {9, 9, 99}), -4);
+  EXPECT_EQ(head_of(none, edge, none, {9, 0.5f, 99}), -1);
+  EXPECT_EQ(head_of(none, none, edge, {9, 0.5f, 99}), -1);
+  EXPECT_EQ(head_of(edge, edge, edge, {9, 0.5f, 99}), -4 - 4 - 1 - 1);
+}
+
+TEST(CapillaryRow, ACoastThatRisesHasNoSlope) {
+  // A cell of height 3 and depth 2: bare canvas beside it at 2 takes half the depth off the
+  // drop, canvas at 4 all of it; a pit beside it adds nothing.
+  const float same[] = {3, 3, 3}, base[] = {0, 1, 0}, none[] = {0, 0}, right[] = {0, -2};
+  for (const auto& [beside, expected] : {std::pair{2.0f, -2.0f}, {4.0f, 0.0f}, {-5.0f, -4.0f}}) {
+    const float here[] = {3, 3, beside};
+    float head = 1;
+    curvature_row({same + 1, here + 1, same + 1, base + 1, right + 1, none, none}, {9, 9, 99}, 1, 1,
+                  &head);
+    EXPECT_EQ(head, expected) << beside;
+  }
+}
+
+TEST(CapillaryRow, ADeepEdgeHasNoSlope) {
+  // The surface carries 10: up to 3 the edge drops by 1, from 6 on by nothing.
+  const float base[] = {0, 0, 0}, none[] = {0, 0}, right[] = {0, -2};
+  for (const auto& [height, expected] :
+       {std::pair{3.0f, -2.0f}, {4.5f, -1.0f}, {6.0f, 0.0f}, {60.0f, 0.0f}}) {
+    const float here[] = {height, height, 0};
+    float head = 1;
+    curvature_row({base + 1, here + 1, base + 1, base + 1, right + 1, none, none}, {1, 1, 10}, 1, 1,
+                  &head);
+    EXPECT_FLOAT_EQ(head, expected) << height;
+  }
 }
 
 TEST(CapillaryRow, ForeseesLessOfWhatDeepFilmsDo) {
