@@ -11,7 +11,7 @@ struct LevelRow {
   const float* base_m;   // smooth b_g
 };
 
-/// m(W) of the film: 0 at 0.47, 1 at 0.87, smooth between; below, a skirt of at most 1 % of the
+/// m(W) of the film: 0 at 0.35, 1 at 0.85, smooth between; below, a skirt of at most 1 % of the
 /// film, which shows only where a block has nothing else.
 float edge_profile(float wetness);
 
