@@ -2,17 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <utility>
 
 #include "core/detail/flow/relief_bands.h"
 #include "core/detail/flow/surface_spline.h"
+#include "core/fluid/conservative/solve/capillary_row.h"
 
 namespace pentimento {
 namespace {
 constexpr float kYieldStress_Pa = 100;  // of oil paint from the tube: brush marks stand in it
-constexpr float kEdgeSlope = 1.5f;      // of paint where it ends on bare canvas
 constexpr float kBare_m = 1e-6f;        // thinner is no film
+// Ridges sink and furrows fill by no more than this: the lock multiplies what is left.
 constexpr float kLeastFactor = 0.125f, kMostFactor = 8;
 constexpr int kPasses = 2;  // a ripple leaks into the bands beside its own, where more stands
 constexpr int kMargin = 1;  // blocks around that the bands look at
@@ -94,9 +93,9 @@ Field<int> way_to_bare(const Field<float>& depth_m, int far) {
 }
 
 /// Share of a film `deep` cells deep that stands `way` thirds of a cell from a bare one. The film
-/// rises at kEdgeSlope, or at least to its full depth on the way `far`.
+/// rises at conservative::kContactSlope, or at least to its full depth on the way `far`.
 float edge_share(float deep, int way, int far) {
-  const float needed = 3 * deep / kEdgeSlope;
+  const float needed = 3 * deep / conservative::kContactSlope;
   const float rise = std::min(needed, static_cast<float>(far));
   return rise > static_cast<float>(way) ? static_cast<float>(way) / rise : 1.0f;
 }

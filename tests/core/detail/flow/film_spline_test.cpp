@@ -90,15 +90,16 @@ TEST(FilmSpline, TheContourComesAsFarAsAnEdgeHasPaint) {
 }
 
 TEST(FilmSpline, TheCornersOfAStaircaseHoldWhatTheirCellsHold) {
-  // The film ends as tension leaves it: its corners have a third of the cells behind them. With a
-  // contour of the depths alone they would hold a tenth of that.
+  // The film ends about as tension leaves it: its corners have a third of the cells behind them.
+  // With the contour of the depths alone they hold 17 % too little; a cell of 4 x 4 points measures
+  // to 2 %.
   Field<float> plane(kSide, kSide);
   for (int y = 0; y < kSide; ++y)
     for (int x = 0; x + y <= kSide; ++x) plane(x, y) = x + y == kSide ? 0.0003f : 0.0009f;
   const Field<float> mean = film_means(plane);
   for (int x = 12; x <= 20; ++x) {
     const float held = mean(x - kBox.x0, kSide - x - kBox.y0);
-    EXPECT_NEAR(held, 0.0003f, 0.0001f) << x;
+    EXPECT_NEAR(held, 0.0003f, 0.00001f) << x;
   }
 }
 
