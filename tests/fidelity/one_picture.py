@@ -4,24 +4,19 @@
     one_picture.py COMMAND OUT.jpg [--scale 8] LOG:X,Y,SIZE...
 
 For each log a row: the picture at the grid's size, the poster reduced to that size in linear light, and
-of the poster SIZE x SIZE cells of the log's grid from cell (X, Y) on.
+of the poster SIZE x SIZE cells of the log's grid from cell (X, Y) on. Needs NumPy and Pillow.
 """
 import pathlib
-import subprocess
 import sys
-import tempfile
 
 import numpy
+import sheet
 from PIL import Image
-
-Image.MAX_IMAGE_PIXELS = None
-GAP = 8
 
 
 def render(command, log, folder, scale):
     path = f"{folder}/{scale}.png"
-    subprocess.run([command, "render", log, "--quiet", "-o", path, "--scale", str(scale)], check=True)
-    picture = Image.open(path).convert("RGB")
+    picture = sheet.render(command, log, path, "--scale", str(scale))
     pathlib.Path(path).unlink()
     return picture
 
@@ -45,36 +40,13 @@ def reduced(picture, scale):
 
 
 def row(command, spec, scale, folder):
-    log, at = spec.rsplit(":", 1)
-    x, y, size = (int(v) * scale for v in at.split(","))
+    log, *at = sheet.cells_of(spec)
+    x, y, size = (v * scale for v in at)
     tablet = render(command, log, folder, 1)
     poster = render(command, log, folder, scale)
     crop = poster.crop((x, y, x + size, y + size)).resize((tablet.height, tablet.height), Image.LANCZOS)
     return tablet, reduced(poster, scale), crop
 
 
-def main(arguments):
-    scale = 8
-    if "--scale" in arguments:
-        at = arguments.index("--scale")
-        scale = int(arguments[at + 1])
-        del arguments[at:at + 2]
-    if len(arguments) < 3:
-        sys.exit(__doc__)
-    command, out, *specs = arguments
-    with tempfile.TemporaryDirectory() as folder:
-        rows = [row(command, spec, scale, folder) for spec in specs]
-    width = max(sum(p.width + GAP for p in pictures) - GAP for pictures in rows)
-    sheet = Image.new("RGB", (width, sum(p[0].height + GAP for p in rows) - GAP), "white")
-    top = 0
-    for pictures in rows:
-        left = 0
-        for picture in pictures:
-            sheet.paste(picture, (left, top))
-            left += picture.width + GAP
-        top += pictures[0].height + GAP
-    sheet.save(out, quality=88)
-
-
 if __name__ == "__main__":
-    main(sys.argv[1:])
+    sheet.make(sys.argv[1:], __doc__, row, quality=88)

@@ -11,7 +11,7 @@ namespace pentimento {
 namespace {
 constexpr float kYieldStress_Pa = 100;  // of oil paint from the tube: brush marks stand in it
 constexpr float kBare_m = 1e-6f;        // thinner is no film
-// Ridges sink and furrows fill by no more than this: the lock multiplies what is left.
+// Cells that are nearly bare would get any factor; they change by no more than this.
 constexpr float kLeastFactor = 0.125f, kMostFactor = 8;
 constexpr int kPasses = 2;  // a ripple leaks into the bands beside its own, where more stands
 constexpr int kMargin = 1;  // blocks around that the bands look at
