@@ -48,7 +48,7 @@ void dry_tile(DetailCanvas& canvas, DetailTile& tile, const ChannelBasis& basis,
     if (tile.pigment[p]) copy(view_of(tile.pigment[p], side), small.pigment[p].view());
   PaintFlow dried;
   dried.channel.assign(static_cast<std::size_t>(canvas.channels()), 0.0);
-  dry_canvas(small, basis, model, Threads(1), dried);
+  dry_canvas(small, basis, model, EdgeCells::kCovered, Threads(1), dried);
   copy(small.base_m.view(), view_of(tile.base_m, side));
   for (std::size_t band = 0; band < tile.reflectance.size(); ++band)
     copy(small.reflectance[band].view(), view_of(tile.reflectance[band], side));

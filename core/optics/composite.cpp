@@ -64,19 +64,29 @@ float composite_cell(const CompositeOptics& o, const CanvasState& s, const Layer
 
 CompositeOptics make_composite_optics(const ChannelBasis& basis, const Model& model) {
   const bool by_amount = model.optical_thickness == OpticalThickness::kAmount;
-  return {basis.K.cast<float>(), basis.S.cast<float>(), basis.amount, model.optical_thickness,
-          1 / (by_amount ? model.pigment_reference : model.depth_reference_m)};
+  return {basis.K.cast<float>(),
+          basis.S.cast<float>(),
+          basis.amount,
+          model.optical_thickness,
+          1 / (by_amount ? model.pigment_reference : model.depth_reference_m),
+          model.saunderson_k2};
 }
 
 void composite_row(const CompositeOptics& optics, const CanvasState& state, int y,
-                   std::span<float* const> reflectance) {
+                   std::span<const float> coverage, std::span<float* const> reflectance) {
+  PENTIMENTO_CHECK(coverage.empty() || static_cast<int>(coverage.size()) == state.geometry.width);
   PENTIMENTO_CHECK(state.layers <= kMaxLayers && optics.K.cols() == state.channels);
   PENTIMENTO_CHECK(static_cast<int>(reflectance.size()) == state.bands);
   for (int x = 0; x < state.geometry.width; ++x) {
-    const LayerFactors factor = layer_factors(optics, state, x, y);
+    LayerFactors factor = layer_factors(optics, state, x, y);
+    const float covered = coverage.empty() ? 1.0f : coverage[static_cast<std::size_t>(x)];
+    if (covered < 1)
+      for (float& f : factor) f /= covered;
     for (int band = 0; band < state.bands; ++band) {
+      const float bare = state.reflectance[static_cast<std::size_t>(band)](x, y);
+      const float film = composite_cell(optics, state, factor, band, x, y);
       reflectance[static_cast<std::size_t>(band)][x] =
-          composite_cell(optics, state, factor, band, x, y);
+          covered < 1 ? partly_covered(bare, film, covered, optics.k2) : film;
     }
   }
 }

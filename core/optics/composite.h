@@ -9,6 +9,7 @@
 #include "core/canvas/canvas_state.h"
 #include "core/model/model.h"
 #include "core/optics/channels.h"
+#include "core/optics/edge_coverage.h"
 
 namespace pentimento {
 
@@ -23,6 +24,7 @@ struct CompositeOptics {
   Eigen::VectorXf amount;  // per channel
   OpticalThickness thickness = OpticalThickness::kAmount;
   float per_reference = 1;  // 1 / pigment_reference or 1 / depth_reference_m
+  float k2 = 0;             // Saunderson's correction, for cells that are partly covered
 };
 
 /// Converts basis and model to the form that composite_row() needs.
@@ -32,11 +34,14 @@ CompositeOptics make_composite_optics(const ChannelBasis& basis, const Model& mo
 ///   per layer, kAmount (A28): K x = M_K c / P_ref, S x = M_S c / P_ref
 ///   per layer, kDepth: K x = (M_K c / P)(d / occupied layers) / d_ref, same for S, P = m c
 ///   film and stack as in kubelka_munk.h
+///   where paint covers the share c of a cell: all of it lies there, K x / c and S x / c, and the
+///   cell is partly_covered() by the stack (optics/edge_coverage.h)
 /// Scheme: pointwise. Stability: any finite c, d >= 0; the result is in [0,1].
 /// Source: R20, R31; Kubelka-Munk (Curtis et al. 1997, sec. 5.2).
 /// Departs from it: layers under kEmptyLayerAmount are left out.
-/// `reflectance` has one row of the grid's width per band; it may be the state's own.
+/// `coverage` has a share per cell, in (0, 1]; none: all 1. `reflectance` has one row of the grid's
+/// width per band; it may be the state's own.
 void composite_row(const CompositeOptics& optics, const CanvasState& state, int y,
-                   std::span<float* const> reflectance);
+                   std::span<const float> coverage, std::span<float* const> reflectance);
 
 }  // namespace pentimento

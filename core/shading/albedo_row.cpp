@@ -67,6 +67,16 @@ void lay_film(const float* K, const float* S, const float* factor, const float* 
   }
 }
 
+/// The dry reflectance where the stack R does not cover the cell.
+PENTIMENTO_KERNEL
+void leave_bare(const float* dry, const float* coverage, float k2, std::size_t n, float* R) {
+  PENTIMENTO_INDEPENDENT
+  for (std::size_t i = 0; i < n; ++i) {
+    const float laid = partly_covered(dry[i], R[i], coverage[i], k2);
+    R[i] = coverage[i] < 1 ? laid : R[i];
+  }
+}
+
 PENTIMENTO_KERNEL
 void add_band(const float* R, float k1, float k2, const float* rgb, std::size_t n, float* red,
               float* green, float* blue) {
@@ -119,6 +129,8 @@ class Layers {
         share_depth(cells.depth_m.data() + x0, occupied.data(), totals[k].data(), per_reference, n,
                     layers_[k].factor.data());
       }
+      for (std::size_t i = 0; i < n && !cells.coverage.empty(); ++i)
+        layers_[k].factor[i] /= cells.coverage[x0 + i];
     }
   }
 
@@ -160,6 +172,7 @@ void albedo_row(const AlbedoOptics& optics, const AlbedoCells& cells, std::span<
   const auto channels = static_cast<std::size_t>(optics.paint.amount.size());
   PENTIMENTO_CHECK(texels.size() == 4 * width &&
                    cells.amount.size() <= static_cast<std::size_t>(kMaxLayers) * channels);
+  PENTIMENTO_CHECK(cells.coverage.empty() || cells.coverage.size() == width);
   PENTIMENTO_CHECK(static_cast<Eigen::Index>(cells.dry.size()) == optics.rgb.cols());
   CellChunk R, red, green, blue;
   for (std::size_t x0 = 0; x0 < width; x0 += kChunk) {
@@ -172,6 +185,8 @@ void albedo_row(const AlbedoOptics& optics, const AlbedoCells& cells, std::span<
       const auto b = static_cast<Eigen::Index>(band);
       std::copy_n(cells.dry[band] + x0, n, R.begin());
       layers.lay(optics.paint, b, R.data());
+      if (!cells.coverage.empty())
+        leave_bare(cells.dry[band] + x0, cells.coverage.data() + x0, optics.k2, n, R.data());
       add_band(R.data(), optics.k1, optics.k2, optics.rgb.col(b).data(), n, red.data(),
                green.data(), blue.data());
     }

@@ -26,12 +26,15 @@ struct AlbedoCells {
   std::span<const float> depth_m;
   std::vector<const float*> dry;     // per band
   std::vector<const float*> amount;  // layer by layer, channel by channel; none: no wet paint
+  std::span<const float> coverage;   // the share that wet paint covers, in (0, 1]; none: all 1
 };
 
 /// Writes four floats per cell: linear red, green and blue, then the depth (m).
 ///   per layer K x, S x as in optics/composite.h; z = sqrt(Kx (Kx + 2 Sx)), q = 1 - exp(-2z),
 ///   d = z (1 + exp(-2z)) + (Kx + Sx) q, s = Sx q, t = 2 z exp(-z)
 ///   R over g = (s (d - s g) + t^2 g) / (d (d - s g))
+///   where paint covers the share c < 1: K x / c and S x / c, and R = partly_covered() of the dry
+///   reflectance and this R (optics/edge_coverage.h)
 ///   seen = k1 + (1-k1)(1-k2) R/(1-k2 R), light = sum over bands of rgb times seen
 /// Scheme: pointwise, a band of all layers at a time. Stable: R in [0,1] for any finite amounts.
 /// Source: R31; Kubelka-Munk (Curtis et al. 1997, sec. 5.2), R = s/d and T = t/d, with one

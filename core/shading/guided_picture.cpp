@@ -39,10 +39,11 @@ Result<void> shade_guided(Shader& shader, const GuidedCanvas& canvas, const Chan
   LightSink wanted(small.width, small.height);
   if (auto shaded = shader.shade(canvas.guide, basis, model, lighting, small, {&wanted}); !shaded)
     return shaded;
-  // The fine canvas, one slope a cell: the lock sees to its mean.
+  // The fine canvas, one slope a cell: the lock sees to its mean. It has its edges itself.
   const LightLockFrame frame = light_lock_frame(request, small.width, small.height);
   ShadeRequest fine = with_border(request, frame);
   fine.relief_samples = 1;
+  fine.edges = EdgeCells::kCovered;
   LightLock lock(frame, wanted.light, threads, sinks);
   return shader.shade(canvas.fine, basis, model, lighting, fine, {&lock});
 }

@@ -23,6 +23,7 @@ class TileTextures {
       : canvas_(scene.canvas),
         threads_(threads),
         optics_(make_albedo_optics(scene.basis, scene.model)),
+        edges_(layout.edges),
         width_(layout.x.most_cells(layout.tiles.width)),
         height_(layout.y.most_cells(layout.tiles.height)),
         border_(layout.border),
@@ -43,7 +44,7 @@ class TileTextures {
     rows_.upload(static_cast<int>(y.table.size() / 2), 1, y.table.data());
     // Albedo of the paint.
     const CellWindow window{x.first_cell, y.first_cell, x.cells, y.cells};
-    pack_albedo(canvas_, optics_, window, threads_, texels_);
+    pack_albedo(canvas_, optics_, edges_, window, threads_, texels_);
     ground_.upload(window.width, window.height, texels_.data());
     // Relief, with a border for slopes and occlusion.
     const CellWindow wider{window.x - border_, window.y - border_, window.width + 2 * border_,
@@ -73,6 +74,7 @@ class TileTextures {
   const CanvasSource& canvas_;
   const Threads& threads_;
   AlbedoOptics optics_;
+  EdgeCells edges_;
   int width_;
   int height_;
   int border_;
@@ -194,6 +196,7 @@ PictureLayout lay_out(const ShadeScene& scene, const ShadeRequest& request,
   variant.samples_per_pixel = samples;
   variant.interpolate = !out.x.on_cells() || !out.y.on_cells();
   variant.relief_samples = variant.interpolate ? 1 : request.relief_samples;
+  out.edges = request.edges;
   variant.reflection_map = !scene.lighting.reflection.rgb[0].empty();
   variant.probe = !scene.lighting.probe[0].empty();
   variant.lamps = static_cast<int>(shining(scene.lighting).size());

@@ -29,6 +29,7 @@ struct PictureLayout {
   TilePlan tiles;
   int border = 0;  // cells of relief around a tile's window
   ShadeVariant variant;
+  EdgeCells edges = EdgeCells::kPartlyCovered;
 };
 
 PictureLayout lay_out(const ShadeScene& scene, const ShadeRequest& request,

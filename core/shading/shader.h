@@ -13,6 +13,7 @@
 #include "core/canvas/canvas_source.h"
 #include "core/model/model.h"
 #include "core/optics/channels.h"
+#include "core/optics/edge_coverage.h"
 #include "core/optics/lighting.h"
 #include "core/shading/picture.h"
 
@@ -31,6 +32,8 @@ struct ShadeRequest {
   /// Slopes per cell and axis whose light a cell's is the mean of, where pixels are no smaller than
   /// cells: 2, or 1, which is faster and glitters more.
   int relief_samples = 2;
+  /// What cells at the edges of wet paint are (A40). kCovered is for a canvas finer than the guide.
+  EdgeCells edges = EdgeCells::kPartlyCovered;
   std::vector<std::string> aovs;  // groups: albedo normal height depth diffuse specular reflection
                                   // wet pigment
 };

@@ -82,17 +82,64 @@ class ColourRows {
   std::vector<std::vector<float>> values_;
 };
 
+/// What wet paint covers of the cells of a window. A cell beyond the grid is covered as the cell
+/// that it repeats, whose neighbours are others.
+class WindowCoverage {
+ public:
+  WindowCoverage(const CanvasSource& canvas, const CellWindow& window)
+      : window_(window),
+        grid_(WindowRows(canvas, window).on_grid()),
+        rows_(canvas, {grid_.x - kCoverageReach, grid_.y - kCoverageReach,
+                       grid_.width + 2 * kCoverageReach, grid_.height + 2 * kCoverageReach}),
+        on_grid_(static_cast<std::size_t>(grid_.width)),
+        coverage_(static_cast<std::size_t>(window.width)) {}
+
+  /// Of row `j` of the window.
+  std::span<const float> read(int j) {
+    read_depth(std::clamp(window_.y + j - grid_.y, 0, grid_.height - 1));
+    edge_coverage_row(depth_, on_grid_);
+    for (int i = 0; i < window_.width; ++i) {
+      const int column = std::clamp(window_.x + i - grid_.x, 0, grid_.width - 1);
+      coverage_[static_cast<std::size_t>(i)] = on_grid_[static_cast<std::size_t>(column)];
+    }
+    return coverage_;
+  }
+
+ private:
+  /// Around row `j` of the grid's part. Rows that the last call read are not read again.
+  void read_depth(int j) {
+    for (int n = 0; n < static_cast<int>(depth_.size()); ++n) {
+      std::vector<float>& row = depth_[static_cast<std::size_t>(n)];
+      if (j == last_ + 1 && n + 1 < static_cast<int>(depth_.size()))
+        row.swap(depth_[static_cast<std::size_t>(n + 1)]);
+      else
+        rows_.read({PlaneKind::kDepth}, j + n, row);
+    }
+    last_ = j;
+  }
+
+  CellWindow window_, grid_;
+  WindowRows rows_;
+  CoverageRows depth_;
+  int last_ = -2;  // no row is after it
+  std::vector<float> on_grid_, coverage_;
+};
+
 }  // namespace
 
-void pack_albedo(const CanvasSource& canvas, const AlbedoOptics& optics, const CellWindow& window,
-                 const Threads& threads, std::vector<float>& texels) {
+void pack_albedo(const CanvasSource& canvas, const AlbedoOptics& optics, EdgeCells edges,
+                 const CellWindow& window, const Threads& threads, std::vector<float>& texels) {
   texels.resize(4 * cells(window));
   const bool has_paint = !canvas.empty(WindowRows(canvas, window).on_grid());
   const auto row = 4 * static_cast<std::size_t>(window.width);
   threads.for_ranges(0, window.height, kGrain, [&](int begin, int end) {
     ColourRows rows(canvas, window, has_paint);
-    for (int j = begin; j < end; ++j)
-      albedo_row(optics, rows.read(j), {texels.data() + row * static_cast<std::size_t>(j), row});
+    WindowCoverage coverage(canvas, window);
+    for (int j = begin; j < end; ++j) {
+      AlbedoCells cells = rows.read(j);
+      if (has_paint && edges == EdgeCells::kPartlyCovered) cells.coverage = coverage.read(j);
+      albedo_row(optics, cells, {texels.data() + row * static_cast<std::size_t>(j), row});
+    }
   });
 }
 

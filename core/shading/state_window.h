@@ -10,9 +10,9 @@
 namespace pentimento {
 
 /// Colour of all paint, linear red, green and blue, and the depth of wet paint (m): four floats a
-/// cell.
-void pack_albedo(const CanvasSource& canvas, const AlbedoOptics& optics, const CellWindow& window,
-                 const Threads& threads, std::vector<float>& texels);
+/// cell. `edges`: whether a cell at the edge of wet paint is covered in part only.
+void pack_albedo(const CanvasSource& canvas, const AlbedoOptics& optics, EdgeCells edges,
+                 const CellWindow& window, const Threads& threads, std::vector<float>& texels);
 /// Height (m) and thickness of all paint, dry and wet (m): two floats a cell.
 void pack_relief(const CanvasSource& canvas, const CellWindow& window, const Threads& threads,
                  std::vector<float>& texels);

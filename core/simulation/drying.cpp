@@ -22,6 +22,19 @@ void add(const PaintFlow& from, PaintFlow& to) {
   to.medium_m3 += from.medium_m3;
   for (std::size_t c = 0; c < from.channel.size(); ++c) to.channel[c] += from.channel[c];
 }
+
+/// Depth around row y, the grid's edge repeated beyond it.
+CoverageRows depth_around(const Field<float>& depth_m, int y) {
+  CoverageRows out;
+  for (int n = 0; n < static_cast<int>(out.size()); ++n) {
+    const float* row = depth_m.row(std::clamp(y + n - kCoverageReach, 0, depth_m.height() - 1));
+    std::vector<float>& to = out[static_cast<std::size_t>(n)];
+    to.assign(kCoverageReach, row[0]);
+    to.insert(to.end(), row, row + depth_m.width());
+    to.insert(to.end(), kCoverageReach, row[depth_m.width() - 1]);
+  }
+  return out;
+}
 }  // namespace
 
 PaintFlow wet_paint(const CanvasState& state) {
@@ -35,14 +48,19 @@ PaintFlow wet_paint(const CanvasState& state) {
   return wet;
 }
 
-void dry_canvas(CanvasState& state, const ChannelBasis& basis, const Model& model,
+void dry_canvas(CanvasState& state, const ChannelBasis& basis, const Model& model, EdgeCells edges,
                 const Threads& threads, PaintFlow& dried) {
   add(wet_paint(state), dried);
   const CompositeOptics optics = make_composite_optics(basis, model);
   threads.for_rows(state.geometry.height, [&](int y) {
     std::vector<float*> reflectance;
     for (Field<float>& band : state.reflectance) reflectance.push_back(band.row(y));
-    composite_row(optics, state, y, reflectance);
+    std::vector<float> coverage;
+    if (edges == EdgeCells::kPartlyCovered) {
+      coverage.resize(static_cast<std::size_t>(state.geometry.width));
+      edge_coverage_row(depth_around(state.depth_m, y), coverage);
+    }
+    composite_row(optics, state, y, coverage, reflectance);
     for (int x = 0; x < state.geometry.width; ++x) state.base_m(x, y) += state.depth_m(x, y);
   });
   for (Field<float>* plane : {&state.depth_m, &state.velocity_x_m_s, &state.velocity_y_m_s})

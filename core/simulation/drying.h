@@ -6,6 +6,7 @@
 #include "core/canvas/paint_account.h"
 #include "core/model/model.h"
 #include "core/optics/channels.h"
+#include "core/optics/edge_coverage.h"
 
 namespace pentimento {
 
@@ -13,8 +14,8 @@ namespace pentimento {
 PaintFlow wet_paint(const CanvasState& state);
 
 /// Dries the canvas: b += d, d = 0. The dry layer's reflectance becomes that of the wet layers over
-/// it (R31). Layers, stroke ids and velocities are cleared. `dried` grows by what was wet.
-void dry_canvas(CanvasState& state, const ChannelBasis& basis, const Model& model,
+/// it (R31, A40). Layers, stroke ids and velocities are cleared. `dried` grows by what was wet.
+void dry_canvas(CanvasState& state, const ChannelBasis& basis, const Model& model, EdgeCells edges,
                 const Threads& threads, PaintFlow& dried);
 
 }  // namespace pentimento

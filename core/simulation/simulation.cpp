@@ -170,7 +170,8 @@ void Simulation::set_model(const Model& model) {
 void Simulation::dry() {
   if (impl_->listener != nullptr)
     impl_->listener->drying(impl_->state, impl_->setup.basis, impl_->model);
-  dry_canvas(impl_->state, impl_->setup.basis, impl_->model, impl_->threads, impl_->account.dried);
+  dry_canvas(impl_->state, impl_->setup.basis, impl_->model, EdgeCells::kPartlyCovered,
+             impl_->threads, impl_->account.dried);
   impl_->state.sleep.clear();
 }
 

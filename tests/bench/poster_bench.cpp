@@ -84,6 +84,7 @@ void poster_light(benchmark::State& state) {
   request.width = static_cast<int>(state.range(0));
   request.height = request.width * 3 / 4;
   request.relief_samples = 1;  // as under a guide
+  request.edges = EdgeCells::kCovered;
   const int detail = static_cast<int>(state.range(1)), coarser = std::max(detail, 1);
   const ChannelBasis basis = palette_channels(painted::palette());
   const CanvasGeometry fine{request.width, request.height, 0.4, 0.3};

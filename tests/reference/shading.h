@@ -16,6 +16,7 @@
 #include "core/optics/lighting.h"
 #include "core/optics/microfacet.h"
 #include "core/optics/tone.h"
+#include "tests/reference/edge_coverage.h"
 #include "tests/reference/gloss.h"
 #include "tests/reference/horizon.h"
 
@@ -36,7 +37,8 @@ class ShadingReference {
         light_(lighting),
         width_(width),
         height_(height),
-        horizon_(state, lighting) {}
+        horizon_(state, lighting),
+        coverage_(state) {}
 
   /// By more than it has pixels, and not a whole multiple: cells are shaded, their light averaged.
   bool reduces() const {
@@ -159,19 +161,21 @@ class ShadingReference {
         layers.push_back(c);
       }
     }
+    const double coverage = coverage_(x, y);
     for (std::size_t band = 0; band < 3; ++band) {
-      double R = static_cast<double>(s_.reflectance[band](x, y));
+      const double bare = static_cast<double>(s_.reflectance[band](x, y));
+      double R = bare;
       for (const Eigen::VectorXd& c : layers) {
         const double share = depth / static_cast<double>(layers.size()) /
                              static_cast<double>(model_.depth_reference_m) /
                              basis_.amount.cast<double>().dot(c);
         const double f = model_.optical_thickness == OpticalThickness::kDepth
-                             ? share
-                             : 1 / static_cast<double>(model_.pigment_reference);
+                             ? share / coverage
+                             : 1 / static_cast<double>(model_.pigment_reference) / coverage;
         const auto b = static_cast<Eigen::Index>(band);
         R = km_over(km_film({basis_.K.row(b).dot(c) * f, basis_.S.row(b).dot(c) * f}, 1), R);
       }
-      out[band] = R;
+      out[band] = bare + coverage * (R - bare);
     }
     return out;
   }
@@ -354,6 +358,7 @@ class ShadingReference {
   int width_;
   int height_;
   HorizonReference horizon_;
+  EdgeCoverage coverage_;
 };
 
 }  // namespace pentimento::reference

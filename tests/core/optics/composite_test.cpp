@@ -39,7 +39,7 @@ std::vector<Field<float>> composed(const CanvasState& s, const ChannelBasis& bas
     out.emplace_back(s.geometry.width, 1);
     row.push_back(out.back().row(0));
   }
-  composite_row(make_composite_optics(basis, model), s, 0, row);
+  composite_row(make_composite_optics(basis, model), s, 0, {}, row);
   return out;
 }
 
@@ -107,13 +107,36 @@ TEST(CompositeRow, LeavesUnpaintedCellsUntouched) {
   for (int x = 0; x < 8; ++x) EXPECT_EQ(R[1](x, 0), 0.123456789f);
 }
 
+// Half a cell of paint twice as thick beside half a bare cell: the eye sees the mean of their
+// light, each through its own interface.
+TEST(CompositeRow, WherePaintCoversHalfACellTheLightIsTheMeanOfBoth) {
+  const ChannelBasis basis = palette_channels(some_palette());
+  Model model;
+  model.saunderson_k1 = 0.03f;
+  model.saunderson_k2 = 0.6f;
+  CanvasState s = some_state(basis, 64), thick = some_state(basis, 64);
+  for (Field<float>& plane : thick.pigment)
+    for (int x = 0; x < 64; ++x) plane(x, 0) *= 2;
+  const auto film = composed(thick, basis, model);
+  const std::vector<float> half(64, 0.5f);
+  std::vector<float*> own;
+  for (Field<float>& plane : s.reflectance) own.push_back(plane.row(0));
+  const auto seen = [&](float R) { return saunderson_seen(static_cast<double>(R), 0.03, 0.6); };
+  const double bare = seen(s.reflectance[0](0, 0));
+  composite_row(make_composite_optics(basis, model), s, 0, half, own);
+  for (std::size_t band = 0; band < 3; ++band)
+    for (int x = 0; x < 64; ++x)
+      EXPECT_NEAR(seen(s.reflectance[band](x, 0)), (bare + seen(film[band](x, 0))) / 2,
+                  4 * kFloatTolerance);  // Saunderson's slope is at most 1 / (1 - k2)
+}
+
 TEST(CompositeRow, MayOverwriteTheStateItReads) {
   const ChannelBasis basis = palette_channels(some_palette());
   CanvasState s = some_state(basis, 32);
   const auto apart = composed(s, basis, Model{});
   std::vector<float*> own;
   for (Field<float>& plane : s.reflectance) own.push_back(plane.row(0));
-  composite_row(make_composite_optics(basis, Model{}), s, 0, own);
+  composite_row(make_composite_optics(basis, Model{}), s, 0, {}, own);
   for (std::size_t band = 0; band < 3; ++band) {
     for (int x = 0; x < 32; ++x) EXPECT_EQ(s.reflectance[band](x, 0), apart[band](x, 0));
   }

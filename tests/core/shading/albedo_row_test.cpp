@@ -44,6 +44,7 @@ struct Row {
     for (const Field<float>& band : state.reflectance) cells.dry.push_back(band.row(0));
     for (const Field<float>& plane : state.pigment)
       if (with_paint) cells.amount.push_back(plane.row(0));
+    cells.coverage = coverage;
     std::vector<float> out(4 * cells.depth_m.size());
     albedo_row(make_albedo_optics(basis, model), cells, out);
     return out;
@@ -56,7 +57,7 @@ struct Row {
     std::vector<std::vector<float>> rows(bands, std::vector<float>(width));
     std::vector<float*> pointers;
     for (auto& row : rows) pointers.push_back(row.data());
-    composite_row(make_composite_optics(basis, model), state, 0, pointers);
+    composite_row(make_composite_optics(basis, model), state, 0, coverage, pointers);
     const bool spectral = !basis.wavelength_nm.empty();
     const Eigen::Matrix3Xd rgb =
         spectral ? Eigen::Matrix3Xd(band_rgb_weights(basis.wavelength_nm, model.viewing()))
@@ -79,6 +80,7 @@ struct Row {
   PaintMaker maker;
   ChannelBasis basis;
   CanvasState state;
+  std::vector<float> coverage;
 };
 
 Model spectral(int bands) {
@@ -111,6 +113,16 @@ TEST(AlbedoRow, ByDepthAndThroughAnInterface) {
   model.optical_thickness = OpticalThickness::kDepth;
   model.saunderson_k1 = 0.03f;
   expect_as_dried(Row(model, 2, 300));
+}
+
+TEST(AlbedoRow, WherePaintCoversPartOfACell) {
+  Model model = spectral(kDefaultBands);
+  model.saunderson_k1 = 0.03f;
+  for (const Model& optics : {Model{}, model}) {
+    Row row(optics, 3, 300);
+    for (int x = 0; x < 300; ++x) row.coverage.push_back(static_cast<float>(1 + x % 7) / 7);
+    expect_as_dried(row);
+  }
 }
 
 TEST(AlbedoRow, OfOpticalChannels) {

@@ -64,7 +64,7 @@ std::array<double, 3> expected_albedo(const Canvas& canvas, int x, int y) {
   std::vector<std::vector<float>> row(static_cast<std::size_t>(bands), std::vector<float>(12));
   std::vector<float*> out;
   for (auto& r : row) out.push_back(r.data());
-  composite_row(make_composite_optics(canvas.basis, canvas.model), canvas.state, y, out);
+  composite_row(make_composite_optics(canvas.basis, canvas.model), canvas.state, y, {}, out);
   const Eigen::Matrix3Xd weights =
       band_rgb_weights(canvas.basis.wavelength_nm, canvas.model.viewing());
   std::array<double, 3> rgb{};
@@ -143,7 +143,8 @@ TEST(SpectralDrying, LeavesWhatTheWetPaintLookedLike) {
   Canvas canvas(mixtures::spectral_model(kDefaultBands), 4);
   const auto wet = canvas.shade();
   PaintFlow dried = wet_paint(canvas.state);
-  dry_canvas(canvas.state, canvas.basis, canvas.model, Threads(1), dried);
+  dry_canvas(canvas.state, canvas.basis, canvas.model, EdgeCells::kPartlyCovered, Threads(1),
+             dried);
   const auto dry = canvas.shade();
   ASSERT_TRUE(wet && dry);
   for (const auto& [name, plane] : wet->planes) {

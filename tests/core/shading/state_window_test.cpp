@@ -30,7 +30,8 @@ AlbedoOptics bare() {
 TEST(PackGround, RepeatsTheEdgeBeyondTheGrid) {
   const CanvasState state = small_state();
   std::vector<float> texels;
-  pack_albedo(StateSource(state), bare(), {-2, -1, 7, 4}, Threads(2), texels);
+  pack_albedo(StateSource(state), bare(), EdgeCells::kPartlyCovered, {-2, -1, 7, 4}, Threads(2),
+              texels);
   ASSERT_EQ(texels.size(), 4u * 7 * 4);
   const float expected[4][7] = {{0, 0, 0, 1, 2, 2, 2},
                                 {0, 0, 0, 1, 2, 2, 2},
@@ -47,9 +48,11 @@ TEST(PackGround, RepeatsTheEdgeBeyondTheGrid) {
 TEST(PackGround, AcceptsAWindowWhollyBeyondTheGrid) {
   const CanvasState state = small_state();
   std::vector<float> texels;
-  pack_albedo(StateSource(state), bare(), {5, 5, 2, 1}, Threads(1), texels);
+  pack_albedo(StateSource(state), bare(), EdgeCells::kPartlyCovered, {5, 5, 2, 1}, Threads(1),
+              texels);
   EXPECT_EQ(texels[3], 12);
-  pack_albedo(StateSource(state), bare(), {-9, -9, 2, 1}, Threads(1), texels);
+  pack_albedo(StateSource(state), bare(), EdgeCells::kPartlyCovered, {-9, -9, 2, 1}, Threads(1),
+              texels);
   EXPECT_EQ(texels[7], 0);
 }
 
