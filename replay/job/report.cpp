@@ -4,8 +4,10 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <fstream>
 #include <limits>
 #include <numeric>
+#include <string>
 
 #include "replay/job/report_object.h"
 
@@ -135,6 +137,13 @@ std::string report_text(const JobReport& report) {
 }
 
 std::int64_t peak_memory_bytes() {
+  // The kernel's own line for this program. What getrusage() says may be the memory of the process
+  // that started it.
+  std::ifstream status("/proc/self/status");
+  for (std::string word; status >> word;) {
+    std::int64_t kibibytes = 0;
+    if (word == "VmHWM:" && status >> kibibytes) return kibibytes * 1024;
+  }
   struct rusage usage {};
   getrusage(RUSAGE_SELF, &usage);
   return static_cast<std::int64_t>(usage.ru_maxrss) * 1024;

@@ -69,7 +69,7 @@ std::string report_json(const JobReport& report);
 /// A few lines for people.
 std::string report_text(const JobReport& report);
 
-/// The most memory this process has held so far.
+/// The most memory this program has held so far, bytes.
 std::int64_t peak_memory_bytes();
 
 }  // namespace pentimento

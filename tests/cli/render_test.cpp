@@ -39,6 +39,15 @@ TEST(CommandRender, TheStateIsTheSameForAnyNumberOfThreads) {
   EXPECT_EQ(state.size(), 64u);
 }
 
+TEST(CommandRender, ItsPeakMemoryIsNotThatOfWhoStartedIt) {
+  const Workplace place;
+  const Ran ran = place.run("render a.jsonl -o a.png --json",
+                            "python3 -c 'import os, sys; held = bytes([1]) * (900 << 20); "
+                            "os.execv(sys.argv[1], sys.argv[1:])'");
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  EXPECT_LT(std::stod(json_member(ran.out, "peak_memory_bytes")), 700 << 20);
+}
+
 TEST(CommandRender, ALogCanBePipedInAndAPictureOut) {
   const Workplace place;
   ASSERT_EQ(place.run("render a.jsonl -o a.png").code, 0);
