@@ -141,6 +141,15 @@ TEST(SpectralShading, BarePaperLooksAsAskedInEveryLight) {
 
 TEST(SpectralDrying, LeavesWhatTheWetPaintLookedLike) {
   Canvas canvas(mixtures::spectral_model(kDefaultBands), 4);
+  // A film that ends in the third column, whose cells it covers in part.
+  for (int y = 0; y < canvas.state.geometry.height; ++y) {
+    const auto thin = [&](Field<float>& plane) {
+      plane(0, y) = plane(1, y) = 0;
+      plane(2, y) *= 0.1f;
+    };
+    thin(canvas.state.depth_m);
+    for (Field<float>& plane : canvas.state.pigment) thin(plane);
+  }
   const auto wet = canvas.shade();
   PaintFlow dried = wet_paint(canvas.state);
   dry_canvas(canvas.state, canvas.basis, canvas.model, EdgeCells::kPartlyCovered, Threads(1),
