@@ -11,6 +11,7 @@ int main(int argc, char** argv) {
       {"relight", "shade a state dump again: other light, no simulation", run_relight},
       {"info", "what a log, a state dump or a picture holds", run_info},
       {"validate", "is this log right?", run_validate},
+      {"convert", "another program's recording becomes a log", run_convert},
       {"compare", "two pictures or two states: what differs, how much, where", run_compare},
   };
   return dispatch(kCommands, Arguments(argv + 1, argv + argc));

@@ -1,0 +1,31 @@
+#include <algorithm>
+#include <array>
+
+#include "formats/import/readers.h"
+#include "formats/import/recording.h"
+
+namespace pentimento::sketch {
+
+namespace {
+constexpr std::array kFormats = {
+    Format{"mypaint", "MyPaint event recording", ".dat", is_mypaint, read_mypaint},
+};
+}  // namespace
+
+std::span<const Format> formats() {
+  return kFormats;
+}
+
+const Format* find_format(std::string_view name) {
+  const auto found = std::find_if(kFormats.begin(), kFormats.end(),
+                                  [&](const Format& f) { return f.name == name; });
+  return found == kFormats.end() ? nullptr : &*found;
+}
+
+const Format* format_of(std::string_view bytes) {
+  const auto found =
+      std::find_if(kFormats.begin(), kFormats.end(), [&](const Format& f) { return f.is(bytes); });
+  return found == kFormats.end() ? nullptr : &*found;
+}
+
+}  // namespace pentimento::sketch

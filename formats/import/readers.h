@@ -1,0 +1,12 @@
+#pragma once
+// The readers of all formats, for the table in formats.cpp. Each lies in a file of its own, whose
+// head says where the format is described and what becomes of its properties.
+
+#include "formats/import/recording.h"
+
+namespace pentimento::sketch {
+
+bool is_mypaint(std::string_view bytes);
+Result<Sketch> read_mypaint(const Source& source, const ReadOptions& options);
+
+}  // namespace pentimento::sketch
