@@ -5,7 +5,7 @@
 
 Renders each log on its own grid and at each scale, compares dumps and pictures with `COMMAND compare`
 and adds a line per log and scale to RESULTS.jsonl; what is there already is not done again. Each
-picture is compared with the tablet's and with that of the scale before. Then prints the table. Dumps
+picture is compared with the tablet's and with that of the scale before. Then prints both tables. Dumps
 live in a temporary folder (TMPDIR), one pair at a time. Needs NumPy and Pillow.
 """
 import json
@@ -17,6 +17,8 @@ import tempfile
 
 import numpy
 from PIL import Image
+
+Image.MAX_IMAGE_PIXELS = None
 
 
 def run(*arguments):
@@ -39,8 +41,10 @@ def judged(planes):
 
 def light(path):
     """Mean of the picture in linear light."""
-    code = numpy.asarray(Image.open(path).convert("RGB")).astype(numpy.float64) / 255
-    return numpy.where(code <= 0.04045, code / 12.92, ((code + 0.055) / 1.055) ** 2.4).mean()
+    code = numpy.arange(256) / 255
+    linear = numpy.where(code <= 0.04045, code / 12.92, ((code + 0.055) / 1.055) ** 2.4)
+    counts = numpy.array(Image.open(path).convert("RGB").histogram()).reshape(3, 256)
+    return (counts @ linear).sum() / counts.sum()
 
 
 def rms(picture):
@@ -83,15 +87,30 @@ def decibels(value):
     return "" if value is None else f"{-20 * math.log10(value):.1f}" if value > 0 else "inf"
 
 
-def print_table(rows):
-    print("| sample | k | depth, relative L2 | pigments, largest | worst block | guide's hash "
-          "| light | PSNR, dB | FLIP | PSNR to the k before | blocks within 1 % before the lock |")
-    print("|---|---|---|---|---|---|---|---|---|---|---|")
-    for r in sorted(rows, key=lambda r: (r["log"], r["scale"])):
+def print_tables(rows):
+    rows = sorted(rows, key=lambda r: (r["log"], r["scale"]))
+    print("| sample | k | depth, relative L2 | pigments | worst block | guide's hash "
+          "| blocks within 1 % before the lock |")
+    print("|---|---|---|---|---|---|---|")
+    for r in rows:
         print(f"| {r['log']} | {r['scale']} | {r['depth_l2']:.1e} | {r['pigment_l2']:.1e} "
               f"| {r['worst_block']:.1e} | {'the same' if r['same_guide'] else 'ANOTHER'} "
-              f"| {r['light']:.3f} | {decibels(r['rms'])} | {r['flip']:.3f} "
-              f"| {decibels(r['rms_to_last'])} | {100 * r['lock']['within_0.01']:.1f} % |")
+              f"| {100 * r['lock']['within_0.01']:.1f} % |")
+    print()
+    scales = sorted({r["scale"] for r in rows})
+    print("| sample | " + " | ".join(f"k = {k}" for k in scales) + " |")
+    print("|---|" + "---|" * len(scales))
+    for log in sorted({r["log"] for r in rows}):
+        found = {r["scale"]: r for r in rows if r["log"] == log}
+        print(f"| {log} | " + " | ".join(picture_text(found.get(k)) for k in scales) + " |")
+
+
+def picture_text(r):
+    """PSNR to the tablet's picture, mean FLIP, light; in brackets the PSNR to the k before."""
+    if r is None:
+        return ""
+    last = decibels(r["rms_to_last"])
+    return f"{decibels(r['rms'])}, {r['flip']:.3f}, {r['light']:.4f}" + (f" ({last})" if last else "")
 
 
 def main(arguments):
@@ -116,7 +135,7 @@ def main(arguments):
                 rows.append(measure(command, log, folder, tablet, k))
                 with path.open("a") as out:
                     out.write(json.dumps(rows[-1]) + "\n")
-    print_table(rows)
+    print_tables(rows)
 
 
 main(sys.argv[1:])
