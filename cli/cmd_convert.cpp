@@ -1,4 +1,5 @@
-// pentimento convert IN -o LOG: another program's recording becomes an action log.
+// pentimento convert IN -o LOG: another program's recording becomes an action log, and a log
+// another.
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
@@ -8,16 +9,20 @@
 
 #include "cli/command.h"
 #include "cli/range.h"
+#include "cli/values.h"
 #include "replay/commands/convert.h"
 
 namespace pentimento::cli {
 
 namespace {
 constexpr const char* kAbout =
-    "Make an action log of what another program recorded. The content tells the format.\n\n"
+    "Make an action log of what another program recorded, or edit a log. The content tells the\n"
+    "format.\n\n"
     "Examples:\n"
     "  pentimento convert painting.tilt -o painting.jsonl.gz\n"
     "  pentimento convert strokes.csv -o strokes.jsonl --as csv --csv-time ms --csv-y-up\n"
+    "  pentimento convert session.jsonl -o part.jsonl --trim 60..90 --speed 2\n"
+    "  pentimento convert session.jsonl -o tilted.jsonl --gravity motion.csv\n"
     "  pentimento convert notes.rm | pentimento render - -o notes.png";
 
 const std::map<std::string, sketch::View> kViews = {{"camera", sketch::View::kCamera},
@@ -51,6 +56,77 @@ void add_csv_options(CLI::App& app, sketch::CsvColumns& csv) {
 }
 }  // namespace
 
+/// "A..B" in seconds; either may be missing.
+Result<std::pair<double, double>> parse_part(const std::string& text) {
+  const std::size_t dots = text.find("..");
+  const Error bad = {ErrorCode::kUsage, "--trim takes FROM..TO in seconds, not '" + text + "'"};
+  if (dots == std::string::npos) return bad;
+  std::pair<double, double> out = {0, 9e9};
+  const std::string from = text.substr(0, dots), to = text.substr(dots + 2);
+  if (!from.empty()) {
+    const Result<double> value = parse_number("--trim", from);
+    if (!value) return value.error();
+    out.first = *value;
+  }
+  if (!to.empty()) {
+    const Result<double> value = parse_number("--trim", to);
+    if (!value) return value.error();
+    out.second = *value;
+  }
+  if (out.first < 0 || out.second < out.first) return bad;
+  return out;
+}
+
+/// "WxH" in metres.
+Result<std::pair<double, double>> parse_canvas(const std::string& text) {
+  const std::size_t by = text.find('x');
+  const Error bad = {ErrorCode::kUsage,
+                     "--fit takes WIDTHxHEIGHT in metres, 0.001 to 100, not '" + text + "'"};
+  if (by == std::string::npos) return bad;
+  const Result<double> width = parse_number("--fit", text.substr(0, by));
+  const Result<double> height = parse_number("--fit", text.substr(by + 1));
+  if (!width || !height) return bad;
+  for (const double side : {*width, *height})
+    if (!(side >= 0.001 && side <= 100)) return bad;
+  return std::pair(*width, *height);
+}
+
+/// The options of edits that need more than a number.
+struct EditTexts {
+  std::string trim, fit;
+};
+
+void add_edit_options(CLI::App& app, LogEdits& edits, EditTexts& texts) {
+  app.add_option("--trim", texts.trim, "only this part, in seconds; it becomes the beginning")
+      ->type_name("FROM..TO");
+  app.add_option("--speed", edits.speed, "so many times faster (1)")
+      ->check(in_range(1e-3, 1e3))
+      ->type_name("F");
+  app.add_option("--drop-idle", edits.longest_idle_s,
+                 "time in which nobody paints is cut to this (recordings: 10)")
+      ->check(in_range(0, 1e9))
+      ->type_name("S");
+  app.add_option("--resample", edits.resample_hz, "samples of strokes a second")
+      ->check(in_range(0.1, 1e5))
+      ->type_name("HZ");
+  app.add_option("--fit", texts.fit, "onto a canvas of this size, as large as it fits")
+      ->type_name("WxH");
+  app.add_option("--size", edits.size_factor, "on the sizes of brushes (1)")
+      ->check(in_range(1e-3, 1e3))
+      ->type_name("F");
+  app.add_option("--gravity", edits.gravity_file,
+                 "readings of a sensor: CoreMotion, Android or devicemotion")
+      ->type_name("FILE");
+  app.add_option("--gravity-as", edits.gravity.as,
+                 "coremotion, android, devicemotion or devicemotion-ios")
+      ->check(CLI::IsMember({"coremotion", "android", "devicemotion", "devicemotion-ios"}))
+      ->type_name("KIND");
+  app.add_option("--gravity-turn", edits.gravity.turn_deg,
+                 "screen.orientation.angle while it was read (0)")
+      ->check(CLI::IsMember({0, 90, 180, 270}))
+      ->type_name("DEG");
+}
+
 int run_convert(const Arguments& arguments) {
   ConvertJob job;
   bool json = false, quiet = false;
@@ -63,16 +139,11 @@ int run_convert(const Arguments& arguments) {
   app.add_option("--view", job.reading.view, "of 3-D sketches: camera, plane or front (camera)")
       ->transform(CLI::Transformer(kViews))
       ->type_name("VIEW");
-  app.add_option("--size", job.writing.size_factor, "on the widths of all strokes (1)")
-      ->check(in_range(1e-3, 1e3))
-      ->type_name("F");
-  app.add_option("--drop-idle", job.writing.longest_pause_s,
-                 "pauses longer than this are cut to it (10)")
-      ->check(in_range(0, 1e9))
-      ->type_name("S");
-  app.add_option("--cells", job.writing.cells, "of the grid's longer side (1024)")
+  app.add_option("--cells", job.writing.cells, "of a recording's grid, its longer side (1024)")
       ->check(in_range(16, 16384))
       ->type_name("N");
+  EditTexts texts;
+  add_edit_options(app, job.edits, texts);
   add_csv_options(app, job.reading.csv);
   app.add_flag("--json", json, "the report as one JSON object, on standard output");
   app.add_flag("--quiet", quiet, "no report");
@@ -80,6 +151,18 @@ int run_convert(const Arguments& arguments) {
   if (const std::optional<int> code = parse(app, arguments)) return *code;
   if (json && job.output == "-")
     return fail({ErrorCode::kUsage, "--json and the log cannot both go to standard output"});
+
+  if (!texts.trim.empty()) {
+    const Result<std::pair<double, double>> part = parse_part(texts.trim);
+    if (!part) return fail(part.error());
+    job.edits.trim_s = *part;
+  }
+  if (!texts.fit.empty()) {
+    const Result<std::pair<double, double>> canvas = parse_canvas(texts.fit);
+    if (!canvas) return fail(canvas.error());
+    job.edits.canvas_m = *canvas;
+  }
+  if (job.edits.longest_idle_s) job.writing.longest_pause_s = *job.edits.longest_idle_s;
 
   const Result<ConvertFacts> done = convert(job);
   if (!done) return fail(done.error());

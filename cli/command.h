@@ -41,6 +41,7 @@ int run_relight(const Arguments& arguments);
 int run_info(const Arguments& arguments);
 int run_validate(const Arguments& arguments);
 int run_convert(const Arguments& arguments);
+int run_list(const Arguments& arguments);
 int run_compare(const Arguments& arguments);
 
 }  // namespace pentimento::cli

@@ -12,6 +12,7 @@ int main(int argc, char** argv) {
       {"info", "what a log, a state dump or a picture holds", run_info},
       {"validate", "is this log right?", run_validate},
       {"convert", "another program's recording becomes a log", run_convert},
+      {"list", "brushes, pigments, parameters, formats", run_list},
       {"compare", "two pictures or two states: what differs, how much, where", run_compare},
   };
   return dispatch(kCommands, Arguments(argv + 1, argv + argc));

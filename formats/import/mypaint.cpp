@@ -1,6 +1,6 @@
 // MyPaint's event recordings: rows of `seconds x y pressure`, pixels, y down; pressure 0 hovers.
-// Source: libmypaint, tests/events. Kept: places, times, pressure. There is no colour, brush, size
-// or canvas.
+// Source: the recordings that libmypaint is tested with. Kept: places, times, pressure. There is no
+// colour, brush, size or canvas.
 
 #include <fmt/format.h>
 

@@ -39,9 +39,9 @@ struct Stroke {
 };
 
 /// What is not a stroke. It happens after the items before it.
-enum class Action { kDry, kClear, kUndo, kRedo };
+enum class SketchAction { kDry, kClear, kUndo, kRedo };
 
-using Item = std::variant<Stroke, Action>;
+using Item = std::variant<Stroke, SketchAction>;
 
 /// The part of the plane that is paper.
 struct Page {

@@ -41,10 +41,10 @@ Page widened(Page page) {
 }
 }  // namespace
 
-Result<Frame> frame_of(const Sketch& sketch, int cells) {
+Result<SketchFrame> frame_of(const Sketch& sketch, int cells) {
   const Page page = widened(sketch.page ? *sketch.page : bounds_of(sketch));
   const double longer = std::max(page.width, page.height);
-  Frame out;
+  SketchFrame out;
   out.x0 = page.x;
   out.y0 = page.y;
   out.metre_per_unit = sketch.metre_per_unit ? *sketch.metre_per_unit : 1 / longer;

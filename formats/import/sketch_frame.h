@@ -8,7 +8,7 @@ namespace pentimento::sketch {
 
 /// From the source's unit to the canvas: x_m = (x - x0) * metre_per_unit. The grid's cells are
 /// square.
-struct Frame {
+struct SketchFrame {
   double x0 = 0, y0 = 0;
   double metre_per_unit = 1;
   double canvas_width_m = 1, canvas_height_m = 0.75;
@@ -18,6 +18,6 @@ struct Frame {
 /// Fits the page, or else the bounds of all strokes with a margin, to a canvas whose longer side is
 /// 1 m and `cells` cells long; the shorter side is at least a sixteenth of it. A sketch that has a
 /// unit keeps its size. Errors: kBadInput, if the size is none that a log can have.
-Result<Frame> frame_of(const Sketch& sketch, int cells);
+Result<SketchFrame> frame_of(const Sketch& sketch, int cells);
 
 }  // namespace pentimento::sketch

@@ -42,7 +42,7 @@ double pigment_of(double opacity) {
 /// Sends events in the order of their times.
 class EventWriter {
  public:
-  EventWriter(const Frame& frame, const LogOptions& options, const TimingOptions& timing,
+  EventWriter(const SketchFrame& frame, const LogOptions& options, const TimingOptions& timing,
               log::Writer& writer)
       : frame_(frame), options_(options), timing_(timing), writer_(writer) {}
 
@@ -66,7 +66,7 @@ class EventWriter {
 
  private:
   /// A stroke that is being painted.
-  struct Down {
+  struct PaintedStroke {
     const TimedItem* timed = nullptr;
     const Stroke* stroke = nullptr;
     std::int64_t id = 0;
@@ -77,9 +77,9 @@ class EventWriter {
   /// Writes what happens before `until_s`; with `end` all that is left.
   void advance(double until_s, bool end) {
     while (!down_.empty()) {
-      auto soonest =
-          std::min_element(down_.begin(), down_.end(),
-                           [&](const Down& a, const Down& b) { return a.time_s < b.time_s; });
+      auto soonest = std::min_element(
+          down_.begin(), down_.end(),
+          [&](const PaintedStroke& a, const PaintedStroke& b) { return a.time_s < b.time_s; });
       if (!end && !(soonest->time_s < until_s) && soonest->next < soonest->stroke->samples.size())
         return;
       write_next(*soonest);
@@ -102,7 +102,7 @@ class EventWriter {
   }
 
   /// The next sample of a stroke; after the last one it goes up.
-  void write_next(Down& d) {
+  void write_next(PaintedStroke& d) {
     const std::vector<Sample>& samples = d.stroke->samples;
     const bool up = d.next == samples.size();
     const Sample& s = samples[up ? d.next - 1 : d.next];
@@ -143,8 +143,7 @@ class EventWriter {
     const double longer = std::max(frame_.canvas_width_m, frame_.canvas_height_m);
     const double width_m =
         stroke.width > 0 ? stroke.width * frame_.metre_per_unit : kDefaultWidthFrac * longer;
-    const double size_m =
-        std::clamp(rounded(width_m * options_.size_factor, 1e7), 1e-5, 0.5 * longer);
+    const double size_m = std::clamp(rounded(width_m, 1e7), 1e-5, 0.5 * longer);
     if (size_m_ != size_m) send(time_s, log::Slider{"size", size_m_ = size_m});
     if (stroke.erases) return;
     if (!color_ || *color_ != stroke.color) {
@@ -158,14 +157,14 @@ class EventWriter {
   }
 
   void write_action(const TimedItem& item) {
-    switch (std::get<Action>(*item.item)) {
-      case Action::kDry:
+    switch (std::get<SketchAction>(*item.item)) {
+      case SketchAction::kDry:
         return send(item.begin_s, log::Dry{});
-      case Action::kClear:
+      case SketchAction::kClear:
         return send(item.begin_s, log::Clear{});
-      case Action::kUndo:
+      case SketchAction::kUndo:
         return send(item.begin_s, log::Undo{});
-      case Action::kRedo:
+      case SketchAction::kRedo:
         return send(item.begin_s, log::Redo{});
     }
   }
@@ -179,12 +178,12 @@ class EventWriter {
     ++counts_.events;
   }
 
-  const Frame& frame_;
+  const SketchFrame& frame_;
   const LogOptions& options_;
   const TimingOptions& timing_;
   log::Writer& writer_;
   LogCounts counts_;
-  std::vector<Down> down_;
+  std::vector<PaintedStroke> down_;
   std::set<std::int64_t> ids_;
   std::int64_t last_us_ = 0;
   std::string brush_;
@@ -192,7 +191,7 @@ class EventWriter {
   std::optional<log::Rgb> color_;
 };
 
-log::Header header_of(const Sketch& sketch, const Frame& frame, const Origin& origin) {
+log::Header header_of(const Sketch& sketch, const SketchFrame& frame, const SketchOrigin& origin) {
   log::Header header;
   header.canvas_width_m = frame.canvas_width_m;
   header.canvas_height_m = frame.canvas_height_m;
@@ -210,9 +209,9 @@ log::Header header_of(const Sketch& sketch, const Frame& frame, const Origin& or
 }
 }  // namespace
 
-Result<LogCounts> write_log(const Sketch& sketch, const Origin& origin, const LogOptions& options,
-                            log::Writer& writer) {
-  const Result<Frame> frame = frame_of(sketch, options.cells);
+Result<LogCounts> write_log(const Sketch& sketch, const SketchOrigin& origin,
+                            const LogOptions& options, log::Writer& writer) {
+  const Result<SketchFrame> frame = frame_of(sketch, options.cells);
   if (!frame) return frame.error();
   TimingOptions timing;
   timing.longest_pause_s = options.longest_pause_s;

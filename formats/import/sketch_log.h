@@ -12,12 +12,11 @@ namespace pentimento::sketch {
 
 struct LogOptions {
   int cells = 1024;             // of the grid's longer side
-  double size_factor = 1;       // on the widths of all strokes
   double longest_pause_s = 10;  // longer ones are cut to this; wet paint rests by then
 };
 
 /// Where the sketch comes from; goes into the log's header as `x-source`.
-struct Origin {
+struct SketchOrigin {
   std::string format, file, sha256;
 };
 
@@ -29,7 +28,7 @@ struct LogCounts {
 
 /// Writes header and events. Errors: kBadInput (a
 /// drawing of no size), kLimit (more than 64 strokes at once).
-Result<LogCounts> write_log(const Sketch& sketch, const Origin& origin, const LogOptions& options,
-                            log::Writer& writer);
+Result<LogCounts> write_log(const Sketch& sketch, const SketchOrigin& origin,
+                            const LogOptions& options, log::Writer& writer);
 
 }  // namespace pentimento::sketch

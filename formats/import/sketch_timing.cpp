@@ -78,7 +78,9 @@ bool same_settings(const Stroke& a, const Stroke& b) {
 std::vector<TimedItem> time_items(const Sketch& sketch, const TimingOptions& options) {
   std::vector<TimedItem> out;
   for (const Item& item : sketch.items) out.push_back({&item});
-  const auto is_action = [](const TimedItem& t) { return std::holds_alternative<Action>(*t.item); };
+  const auto is_action = [](const TimedItem& t) {
+    return std::holds_alternative<SketchAction>(*t.item);
+  };
   for (auto first = out.begin(); first != out.end();) {
     const auto last = std::find_if(first, out.end(), is_action);
     sort_segment(first, last);

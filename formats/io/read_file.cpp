@@ -12,7 +12,7 @@ namespace pentimento {
 namespace {
 constexpr std::size_t kPiece = 1 << 20;
 
-struct Close {
+struct CloseUnlessInput {
   void operator()(std::FILE* file) const {
     if (file != stdin) std::fclose(file);
   }
@@ -23,8 +23,8 @@ Result<std::string> read_file(const std::string& path, std::int64_t most_bytes) 
   const auto failed = [&](int number) {
     return Error{ErrorCode::kIo, path + ": " + std::strerror(number)};
   };
-  const std::unique_ptr<std::FILE, Close> file(path == "-" ? stdin
-                                                           : std::fopen(path.c_str(), "rb"));
+  const std::unique_ptr<std::FILE, CloseUnlessInput> file(
+      path == "-" ? stdin : std::fopen(path.c_str(), "rb"));
   if (!file) return failed(errno);
   std::string bytes;
   while (true) {

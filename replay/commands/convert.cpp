@@ -2,21 +2,28 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <vector>
 
 #include "formats/io/read_file.h"
 #include "formats/io/sha256.h"
+#include "formats/log/edit/editing_writer.h"
 #include "formats/log/json/nearest_name.h"
+#include "formats/log/reader.h"
+#include "formats/log/write/json_object.h"
 #include "replay/job/report_object.h"
 
 namespace pentimento {
 
 namespace {
 constexpr std::int64_t kMostBytes = std::int64_t{1} << 30;
+constexpr std::string_view kLogName = "log";
 
 std::vector<std::string_view> format_names() {
-  std::vector<std::string_view> names;
+  std::vector<std::string_view> names = {kLogName};
   for (const sketch::Format& format : sketch::formats()) names.push_back(format.name);
   return names;
 }
@@ -32,6 +39,126 @@ Result<const sketch::Format*> choose_format(const ConvertJob& job, std::string_v
                                                  job.input, fmt::join(format_names(), ", "))};
 }
 
+/// Whether a file is an action log, by how it begins: compressed, or with a header.
+bool is_log(const std::string& path) {
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
+                                                             std::fclose);
+  if (!file) return false;
+  std::string head(4096, '\0');
+  head.resize(std::fread(head.data(), 1, head.size(), file.get()));
+  return head.starts_with("\x1f\x8b") || head.starts_with("\x28\xb5\x2f\xfd") ||
+         head.substr(0, head.find('\n')).find("\"pentimento-log\"") != std::string::npos;
+}
+
+std::int64_t microseconds(double seconds) {
+  return std::llround(seconds * 1e6);
+}
+
+Result<log::Edits> make_edits(const LogEdits& from) {
+  log::Edits out;
+  if (!from.gravity_file.empty()) {
+    const Result<std::string> bytes = read_file(from.gravity_file, kMostBytes);
+    if (!bytes) return bytes.error();
+    Result<sketch::GravityRecording> gravity =
+        sketch::read_gravity({from.gravity_file, *bytes}, from.gravity);
+    if (!gravity) return gravity.error();
+    out.gravity = std::move(gravity->readings);
+  }
+  if (from.trim_s)
+    out.trim_us = {microseconds(from.trim_s->first), microseconds(from.trim_s->second)};
+  if (from.longest_idle_s) out.longest_idle_us = microseconds(*from.longest_idle_s);
+  out.speed = from.speed;
+  out.resample_hz = from.resample_hz;
+  out.canvas_m = from.canvas_m;
+  out.size_factor = from.size_factor;
+  return out;
+}
+
+Result<std::unique_ptr<log::EditingWriter>> open_output(const ConvertJob& job) {
+  Result<log::Edits> edits = make_edits(job.edits);
+  if (!edits) return edits.error();
+  Result<std::unique_ptr<log::Writer>> file =
+      log::Writer::create(job.output, log::compression_of(job.output), job.no_clobber);
+  if (!file) return file.error();
+  return std::make_unique<log::EditingWriter>(std::move(*edits), std::move(*file));
+}
+
+std::string file_name(const std::string& path) {
+  return std::filesystem::path(path).filename().string();
+}
+
+Result<void> convert_recording(const ConvertJob& job, ConvertFacts& facts,
+                               std::unique_ptr<log::EditingWriter>& writer) {
+  const Result<std::string> bytes = read_file(job.input, kMostBytes);
+  if (!bytes) return bytes.error();
+  const Result<const sketch::Format*> format = choose_format(job, *bytes);
+  if (!format) return format.error();
+  const Result<sketch::Sketch> drawing = (*format)->read({job.input, *bytes}, job.reading);
+  if (!drawing) return drawing.error();
+  Result<std::unique_ptr<log::EditingWriter>> output = open_output(job);
+  if (!output) return output.error();
+  writer = std::move(*output);
+  facts.format = (*format)->name;
+  const sketch::SketchOrigin origin = {facts.format, file_name(job.input), sha256_hex(*bytes)};
+  const Result<sketch::LogCounts> counts = write_log(*drawing, origin, job.writing, *writer);
+  if (!counts) return Error{counts.error().code, job.input + ": " + counts.error().message};
+  facts.strokes = counts->strokes;
+  facts.samples = counts->samples;
+  facts.canvas_width_m = counts->canvas_width_m;
+  facts.canvas_height_m = counts->canvas_height_m;
+  facts.report = drawing->report;
+  return {};
+}
+
+/// Names the source in the header, beside what it was made from before.
+void add_origin(log::Header& header, const std::string& file, const std::string& sha256) {
+  log::JsonObject origin;
+  origin.text("file", file).text("sha256", sha256);
+  std::string key = "x-edited";
+  for (int n = 2; header.extensions.find('"' + key + '"') != std::string::npos; ++n)
+    key = fmt::format("x-edited-{}", n);
+  if (!header.extensions.empty()) header.extensions += ',';
+  header.extensions += '"' + key + "\":" + origin.close();
+}
+
+Result<void> convert_log(const ConvertJob& job, ConvertFacts& facts,
+                         std::unique_ptr<log::EditingWriter>& writer) {
+  Result<std::unique_ptr<log::Reader>> reader = log::Reader::open(job.input, job.log_reading);
+  if (!reader) return reader.error();
+  // The first pass finds what is wrong before anything is written, and the hash.
+  bool names_files = false;
+  while (true) {
+    const Result<std::optional<log::Event>> event = (*reader)->next();
+    if (!event) return event.error();
+    if (!*event) break;
+    const log::Action& action = (*event)->action;
+    names_files |=
+        std::holds_alternative<log::Load>(action) || std::holds_alternative<log::Camera>(action);
+    const auto* touch = std::get_if<log::Touch>(&action);
+    if (touch == nullptr) continue;
+    facts.strokes += touch->phase == log::TouchPhase::kDown ? 1 : 0;
+    facts.samples += touch->phase == log::TouchPhase::kUp ? 0 : 1;
+  }
+  Result<std::unique_ptr<log::EditingWriter>> output = open_output(job);
+  if (!output) return output.error();
+  writer = std::move(*output);
+  log::Header header = (*reader)->header();
+  facts.format = kLogName;
+  facts.canvas_width_m = job.edits.canvas_m ? job.edits.canvas_m->first : header.canvas_width_m;
+  facts.canvas_height_m = job.edits.canvas_m ? job.edits.canvas_m->second : header.canvas_height_m;
+  add_origin(header, file_name(job.input), (*reader)->sha256());
+  writer->write(header);
+  if (auto back = (*reader)->rewind(); !back) return back;
+  while (true) {
+    const Result<std::optional<log::Event>> event = (*reader)->next();
+    if (!event) return event.error();
+    if (!*event) break;
+    writer->write(**event);
+  }
+  if (names_files) facts.report.kept = {"names of files, which must lie beside the new log"};
+  return {};
+}
+
 std::string list_json(const std::vector<std::string>& texts) {
   std::vector<std::string> items;
   for (const std::string& text : texts) items.push_back(json_string(text));
@@ -39,31 +166,24 @@ std::string list_json(const std::vector<std::string>& texts) {
 }
 
 std::string list_text(const char* what, const std::vector<std::string>& texts) {
-  std::string text;
-  for (const std::string& item : texts) text += (text.empty() ? "" : ", ") + item;
-  return text.empty() ? "" : fmt::format("{}: {}\n", what, text);
+  return texts.empty() ? "" : fmt::format("{}: {}\n", what, fmt::join(texts, ", "));
 }
 }  // namespace
 
 Result<ConvertFacts> convert(const ConvertJob& job) {
-  const Result<std::string> bytes = read_file(job.input, kMostBytes);
-  if (!bytes) return bytes.error();
-  const Result<const sketch::Format*> format = choose_format(job, *bytes);
-  if (!format) return format.error();
-  const Result<sketch::Sketch> drawing = (*format)->read({job.input, *bytes}, job.reading);
-  if (!drawing) return drawing.error();
-  Result<std::unique_ptr<log::Writer>> writer =
-      log::Writer::create(job.output, log::compression_of(job.output), job.no_clobber);
-  if (!writer) return writer.error();
-  const sketch::Origin origin = {std::string((*format)->name),
-                                 std::filesystem::path(job.input).filename().string(),
-                                 sha256_hex(*bytes)};
-  Result<sketch::LogCounts> counts = write_log(*drawing, origin, job.writing, **writer);
-  if (!counts) return Error{counts.error().code, job.input + ": " + counts.error().message};
-  Result<Published> log = (*writer)->finish();
+  ConvertFacts facts;
+  facts.input = job.input;
+  std::unique_ptr<log::EditingWriter> writer;
+  const bool from_log = job.format == kLogName || (job.format.empty() && is_log(job.input));
+  const Result<void> done =
+      from_log ? convert_log(job, facts, writer) : convert_recording(job, facts, writer);
+  if (!done) return done.error();
+  Result<Published> log = writer->finish();
   if (!log) return log.error();
-  return ConvertFacts{job.input, origin.format,   drawing->title,
-                      *counts,   drawing->report, std::move(*log)};
+  facts.log = std::move(*log);
+  facts.events = writer->events();
+  facts.duration_s = static_cast<double>(writer->last_us()) * 1e-6;
+  return facts;
 }
 
 std::string convert_json(const ConvertFacts& facts) {
@@ -72,12 +192,12 @@ std::string convert_json(const ConvertFacts& facts) {
       .add("format", facts.format)
       .add("log", facts.log.file)
       .add("log_sha256", facts.log.sha256)
-      .add("strokes", facts.counts.strokes)
-      .add("samples", facts.counts.samples)
-      .add("events", facts.counts.events)
-      .add("duration_s", facts.counts.duration_s)
-      .add("canvas_width_m", facts.counts.canvas_width_m)
-      .add("canvas_height_m", facts.counts.canvas_height_m)
+      .add("strokes", facts.strokes)
+      .add("samples", facts.samples)
+      .add("events", facts.events)
+      .add("duration_s", facts.duration_s)
+      .add("canvas_width_m", facts.canvas_width_m)
+      .add("canvas_height_m", facts.canvas_height_m)
       .add_json("kept", list_json(facts.report.kept))
       .add_json("guessed", list_json(facts.report.guessed))
       .add_json("dropped", list_json(facts.report.dropped))
@@ -85,8 +205,8 @@ std::string convert_json(const ConvertFacts& facts) {
 }
 
 std::string convert_text(const ConvertFacts& facts) {
-  return fmt::format("{}: {}, {} strokes, {} samples, {:.1f} s\n", facts.input, facts.format,
-                     facts.counts.strokes, facts.counts.samples, facts.counts.duration_s) +
+  return fmt::format("{}: {}, {} strokes, {} samples; {} events, {:.1f} s\n", facts.input,
+                     facts.format, facts.strokes, facts.samples, facts.events, facts.duration_s) +
          list_text("kept", facts.report.kept) + list_text("guessed", facts.report.guessed) +
          list_text("dropped", facts.report.dropped);
 }

@@ -1,31 +1,51 @@
 #pragma once
-// `pentimento convert`: another program's recording becomes an action log.
+// `pentimento convert`: another program's recording becomes an action log, and a log another log.
 
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "core/base/result.h"
+#include "formats/import/gravity_file.h"
 #include "formats/import/recording.h"
 #include "formats/import/sketch_log.h"
+#include "formats/log/parse/reader_options.h"
 
 namespace pentimento {
+
+/// What is done to the log before it is written, in this order.
+struct LogEdits {
+  std::string gravity_file;  // replaces gravity; empty: none
+  sketch::GravityOptions gravity;
+  std::optional<std::pair<double, double>> trim_s;  // from, to
+  std::optional<double> longest_idle_s;
+  double speed = 1;
+  std::optional<double> resample_hz;
+  std::optional<std::pair<double, double>> canvas_m;  // width, height
+  double size_factor = 1;
+};
 
 struct ConvertJob {
   std::string input;
   std::string output = "-";  // standard output
-  std::string format;        // of formats(); empty: told from the content
+  std::string format;        // of formats(), or "log"; empty: told from the content
   sketch::ReadOptions reading;
   sketch::LogOptions writing;
+  log::ReaderOptions log_reading;
+  LogEdits edits;
   bool no_clobber = false;
 };
 
 struct ConvertFacts {
-  std::string input, format, title;
-  sketch::LogCounts counts;
+  std::string input, format;
+  std::int64_t strokes = 0, samples = 0, events = 0;
+  double duration_s = 0, canvas_width_m = 0, canvas_height_m = 0;
   sketch::Report report;
   Published log;
 };
 
-/// Errors: kUsage (an unknown format), kBadInput, kLimit, kIo.
+/// Errors: kUsage (an unknown format), kBadInput, kLimit, kIo. A log on standard input needs
+/// format "log".
 Result<ConvertFacts> convert(const ConvertJob& job);
 
 std::string convert_json(const ConvertFacts& facts);

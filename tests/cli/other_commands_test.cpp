@@ -13,7 +13,8 @@ namespace {
 
 TEST(CommandHelp, StandsOnStandardOutputWithExamplesFirst) {
   const Workplace place;
-  for (const char* command : {"", "render ", "relight ", "info ", "validate ", "compare "}) {
+  for (const char* command :
+       {"", "render ", "relight ", "info ", "validate ", "convert ", "list ", "compare "}) {
     const Ran ran = place.run(command + std::string("--help"));
     EXPECT_EQ(ran.code, 0);
     EXPECT_EQ(ran.err, "");

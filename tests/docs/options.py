@@ -16,7 +16,7 @@ import sys
 
 CLI = "docs/cli.md"
 HISTORY = ("CHANGELOG.md",)
-COMMANDS = ("render", "relight", "info", "validate", "compare")
+COMMANDS = ("render", "relight", "info", "validate", "convert", "list", "compare")
 HELP_LINE = re.compile(r"^  (?:-\w,)?(--[\w-]+)(.*)$")
 OPTION = re.compile(r"(?<![\w-])(--[a-z][\w-]*)")
 CODE = re.compile(r"`([^`]+)`(?:\s+\((\d[\d.]*)\))?")

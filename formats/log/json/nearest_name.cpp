@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
+#include <string>
 #include <vector>
 
 namespace pentimento {
@@ -25,6 +27,23 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row[b.size()];
 }
 
+/// Candidates that contain `name`, whatever the case; the first three.
+std::vector<std::string> containing(std::string_view name,
+                                    std::span<const std::string_view> candidates) {
+  constexpr std::size_t kLeastLength = 4, kMost = 3;
+  std::vector<std::string> found;
+  if (name.size() < kLeastLength) return found;
+  const auto same = [](char a, char b) {
+    return std::tolower(static_cast<unsigned char>(a)) ==
+           std::tolower(static_cast<unsigned char>(b));
+  };
+  for (const std::string_view candidate : candidates)
+    if (found.size() < kMost && std::search(candidate.begin(), candidate.end(), name.begin(),
+                                            name.end(), same) != candidate.end())
+      found.push_back(fmt::format("\"{}\"", candidate));
+  return found;
+}
+
 }  // namespace
 
 std::string did_you_mean(std::string_view name, std::span<const std::string_view> candidates) {
@@ -39,7 +58,13 @@ std::string did_you_mean(std::string_view name, std::span<const std::string_view
       nearest = candidate;
     }
   }
-  return nearest.empty() ? std::string() : fmt::format(" (did you mean \"{}\"?)", nearest);
+  if (!nearest.empty()) return fmt::format(" (did you mean \"{}\"?)", nearest);
+  const std::vector<std::string> found = containing(name, candidates);
+  if (found.empty()) return {};
+  const std::span<const std::string> all(found);
+  const std::string before_last = fmt::format("{}", fmt::join(all.first(found.size() - 1), ", "));
+  return fmt::format(" (did you mean {}{}{}?)", before_last, before_last.empty() ? "" : " or ",
+                     found.back());
 }
 
 }  // namespace pentimento

@@ -1,0 +1,50 @@
+#pragma once
+// A writer of logs that edits what it is given.
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "formats/log/edit/event_filter.h"
+#include "formats/log/edit/refit.h"
+#include "formats/log/write/writer.h"
+
+namespace pentimento::log {
+
+/// What is done to a log, in this order.
+struct Edits {
+  std::vector<Event> gravity;  // replaces the log's, if there is any
+  std::optional<std::pair<std::int64_t, std::int64_t>> trim_us;
+  std::optional<std::int64_t> longest_idle_us;
+  double speed = 1;                                   // > 0
+  std::optional<double> resample_hz;                  // > 0
+  std::optional<std::pair<double, double>> canvas_m;  // width, height
+  double size_factor = 1;                             // > 0, on the sizes of brushes
+};
+
+/// Wraps `inner`, which gets header and events as they are after the edits.
+class EditingWriter : public Writer {
+ public:
+  EditingWriter(Edits edits, std::unique_ptr<Writer> inner);
+  void write(const Header& header) override;
+  void write(const Event& event) override;
+  /// Hands on what filters keep back, then ends the file.
+  Result<Published> finish() override;
+
+  std::int64_t events() const { return events_; }
+  std::int64_t last_us() const { return last_us_; }
+
+ private:
+  template <typename Filter, typename... Arguments>
+  void put_before(Arguments&&... arguments);
+  EventSink first() const;
+
+  Edits edits_;
+  std::unique_ptr<Writer> inner_;
+  std::vector<std::unique_ptr<EventFilter>> filters_;  // the last one is the first to see an event
+  std::int64_t events_ = 0, last_us_ = 0;
+};
+
+}  // namespace pentimento::log

@@ -1,0 +1,91 @@
+#include "replay/commands/convert.h"
+
+#include <gtest/gtest.h>
+
+#include "replay/commands/validate.h"
+#include "tests/replay/small_job.h"
+
+namespace pentimento {
+namespace {
+
+ConvertJob job(const test::JobFolder& folder, const std::string& input) {
+  ConvertJob out;
+  out.input = folder.path(input);
+  out.output = folder.path("out.jsonl");
+  return out;
+}
+
+TEST(Convert, ARecordingBecomesAValidLogThatNamesItsSource) {
+  const test::JobFolder folder;
+  const std::string rows = "0 10 10 0.5\n1 20 30 0.6\n2 20 30 0\n50 30 10 0.5\n51 40 40 0.7\n";
+  folder.write("a.dat", rows);
+  ConvertJob with = job(folder, "a.dat");
+  with.edits.size_factor = 2;
+  const auto done = convert(with);
+  ASSERT_TRUE(done) << done.error().message;
+  EXPECT_EQ(done->format, "mypaint");
+  EXPECT_EQ(done->strokes, 2);
+  EXPECT_EQ(done->samples, 4);
+  EXPECT_DOUBLE_EQ(done->duration_s, 12);  // a pause of 49 s is cut to 10
+  EXPECT_FALSE(done->report.kept.empty());
+  const auto facts = validate_log(folder.path("out.jsonl"), {});
+  ASSERT_TRUE(facts) << facts.error().message;
+  EXPECT_EQ(facts->summary.strokes, 2);
+  EXPECT_EQ(facts->summary.event_count, done->events);
+  const std::string hash = test::run("sha256sum " + folder.path("a.dat")).second.substr(0, 64);
+  EXPECT_EQ(facts->header.extensions,
+            R"("x-source":{"format":"mypaint","file":"a.dat","sha256":")" + hash + "\"}");
+}
+
+TEST(Convert, ALogStaysTheSamePaintingAndIsNamed) {
+  const test::JobFolder folder(test::kSmallLog);
+  const auto done = convert(job(folder, "a.jsonl"));
+  ASSERT_TRUE(done) << done.error().message;
+  EXPECT_EQ(done->format, "log");
+  const auto before = validate_log(folder.path("a.jsonl"), {});
+  const auto after = validate_log(folder.path("out.jsonl"), {});
+  ASSERT_TRUE(before && after);
+  EXPECT_EQ(after->summary.events, before->summary.events);
+  EXPECT_EQ(after->steps, before->steps);
+  EXPECT_EQ(after->header.extensions,
+            R"("x-edited":{"file":"a.jsonl","sha256":")" + before->summary.sha256 + "\"}");
+  // Edited again, it names both.
+  ConvertJob again = job(folder, "out.jsonl");
+  again.output = folder.path("twice.jsonl");
+  again.edits.speed = 2;
+  ASSERT_TRUE(convert(again));
+  const auto twice = validate_log(folder.path("twice.jsonl"), {});
+  ASSERT_TRUE(twice);
+  EXPECT_NE(twice->header.extensions.find("\"x-edited-2\""), std::string::npos);
+  EXPECT_NEAR(twice->summary.duration_s(), before->summary.duration_s() / 2, 1e-6);
+}
+
+TEST(Convert, NothingIsWrittenWhereSomethingIsWrong) {
+  const test::JobFolder folder(test::kSmallLog + "{\"t\":\n");
+  folder.write("none.txt", "hello");
+  folder.write("bad.dat", "0 1 2 3\n");
+  folder.write("g.csv", "a,b\n");
+  ConvertJob unknown = job(folder, "bad.dat");
+  unknown.format = "mypant";
+  ConvertJob gravity = job(folder, "a.jsonl");
+  folder.write("b.jsonl", test::kSmallLog);
+  gravity.input = folder.path("b.jsonl");
+  gravity.edits.gravity_file = folder.path("g.csv");
+  const std::pair<ConvertJob, ErrorCode> bad[] = {{job(folder, "a.jsonl"), ErrorCode::kBadInput},
+                                                  {job(folder, "none.txt"), ErrorCode::kBadInput},
+                                                  {job(folder, "bad.dat"), ErrorCode::kBadInput},
+                                                  {job(folder, "missing"), ErrorCode::kIo},
+                                                  {unknown, ErrorCode::kUsage},
+                                                  {gravity, ErrorCode::kBadInput}};
+  for (const auto& [wrong, code] : bad) {
+    const auto done = convert(wrong);
+    ASSERT_FALSE(done) << wrong.input;
+    EXPECT_EQ(done.error().code, code) << done.error().message;
+    EXPECT_NE(test::run("test -e " + folder.path("out.jsonl")).first, 0);
+  }
+  EXPECT_EQ(convert(unknown).error().message,
+            "--as: no format is called 'mypant' (did you mean \"mypaint\"?)");
+}
+
+}  // namespace
+}  // namespace pentimento
