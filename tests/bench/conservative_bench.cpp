@@ -87,6 +87,37 @@ void ConservativeStep(benchmark::State& state) {
   clock.report(state);
   report(state);
 }
+/// The same with and without surface tension, and with films that end: bare stripes, 24 cells of
+/// each 48. Arguments: whether films end, N/m in thousandths.
+void ConservativeTension(benchmark::State& state) {
+  Basin b = running_canvas(1);
+  b.model.surface_tension_N_m = 1e-3f * static_cast<float>(state.range(1));
+  if (state.range(0) != 0) {
+    for (int y = 0; y < kHeight; ++y) {
+      for (int x = 0; x < kWidth; ++x) {
+        if (x / 24 % 2 == 0) continue;
+        b.state.depth_m(x, y) = 0;
+        for (Field<float>& plane : b.state.pigment) plane(x, y) = 0;
+      }
+    }
+  }
+  PassClock clock;
+  b.scheme.on_pass([&](const char* pass) { clock.passed(pass); });
+  int step = 0;
+  for (auto _ : state) {
+    turn(b, step++);
+    clock.begin();
+    b.step();
+  }
+  clock.report(state);
+  report(state);
+}
+BENCHMARK(ConservativeTension)
+    ->ArgsProduct({{0, 1}, {0, 32}})
+    ->Iterations(12)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+
 BENCHMARK(ConservativeStep)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 void ConservativeMovePaint(benchmark::State& state) {
