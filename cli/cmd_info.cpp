@@ -1,5 +1,7 @@
 // pentimento info FILE: what a log, a state dump or a picture holds.
 
+#include <unistd.h>
+
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
@@ -11,8 +13,8 @@ namespace pentimento::cli {
 
 namespace {
 constexpr const char* kAbout =
-    "Tell what a log, a state dump or a picture holds; of outputs also where they come from and\n"
-    "the command that makes them again.\n\n"
+    "Tell what a log, another program's recording, a state dump or a picture holds; of outputs\n"
+    "also where they come from and the command that makes them again.\n\n"
     "Examples:\n"
     "  pentimento info session.jsonl\n"
     "  pentimento info poster.png --json";
@@ -24,14 +26,17 @@ int run_info(const Arguments& arguments) {
   log::ReaderOptions reading;
   CLI::App app(kAbout, "pentimento info");
   app.add_option("file", file,
-                 "log, state dump (.h5), .png or .exr; `-` is a log on standard input")
+                 "log, recording, state dump (.h5), .png or .exr; `-` is a log on standard input")
       ->required();
   app.add_flag("--json", json, "one JSON object");
   app.add_flag("--salvage", reading.salvage, "of a log that is cut short in its last line");
   app.add_flag("--allow-outside", reading.allow_outside,
                "the log may name files outside its folder");
   if (const std::optional<int> code = parse(app, arguments)) return *code;
-  Result<FileInfo> info = file_info(file, reading);
+  // A picture of characters is for people only.
+  constexpr int kPreviewColumns = 64;
+  const bool shown = !json && isatty(STDOUT_FILENO) == 1;
+  Result<FileInfo> info = file_info(file, reading, shown ? kPreviewColumns : 0);
   if (!info) return fail(info.error());
   return print(json ? info_json(*info) + "\n" : info_text(*info));
 }

@@ -1,6 +1,7 @@
 #pragma once
 // What a log holds, in numbers: for `pentimento info` and `validate`. One pass, memory bounded.
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <set>
@@ -32,13 +33,29 @@ struct Summary {
   int still_down = 0;            // at the end
   bool has_pressure = false, has_tilt = false, own_steps = false;
   Bounds bounds;
-  std::set<std::string> pigments;  // of the palette, used by `color`
-  std::set<Rgb> colors;            // different picked colours
-  std::vector<std::string> marks;  // in order
-  std::set<std::string> files;     // named by events and header
+  std::set<std::string> pigments;            // of the palette, used by `color`
+  std::set<Rgb> colors;                      // different picked colours
+  std::vector<std::string> marks;            // in order
+  std::set<std::string> files;               // named by events and header
+  std::array<std::int64_t, 10> pressures{};  // samples with a pressure of 0 to 0.1, to 0.2, ... 1
+  std::array<std::int64_t, 9> tilts{};       // leaning from upright by 0 to 10 degrees, ... 90
   std::string sha256, salvaged;
 
   double duration_s() const { return static_cast<double>(duration_us) * 1e-6; }
+};
+
+/// Adds up events, one by one.
+class Summarizer {
+ public:
+  explicit Summarizer(const Header& header);
+  void add(const Event& event);
+  /// The sum. `sha256` and `salvaged` are the reader's.
+  Summary finish() const;
+
+ private:
+  Summary summary_;
+  std::int64_t down_ = 0;
+  std::vector<std::int64_t> counts_;  // per type
 };
 
 /// Reads from where `reader` stands (its first event) to the end. Errors: those of next().

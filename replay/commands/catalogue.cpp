@@ -4,19 +4,17 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 
 #include "core/brush/builtin_brushes.h"
 #include "core/model/model.h"
-#include "core/optics/kubelka_munk.h"
 #include "core/optics/paints/paint_maker.h"
 #include "core/optics/paints/pigment_library.h"
-#include "core/optics/srgb.h"
 #include "formats/import/recording.h"
 #include "formats/log/json/nearest_name.h"
 #include "formats/log/tables/model_fields.h"
 #include "formats/log/tables/slider_fields.h"
 #include "replay/job/report_object.h"
+#include "replay/log/swatch.h"
 
 namespace pentimento {
 
@@ -29,16 +27,6 @@ CatalogueCell number(double value) {
   return {fmt::format("{}", static_cast<float>(value)), false};
 }
 
-/// "#rrggbb" of a coat of optical thickness 1 over a ground of that reflectance.
-CatalogueCell coat(const Pigment& paint, double ground) {
-  std::string hex = "#";
-  for (Eigen::Index band = 0; band < 3; ++band) {
-    const double linear = km_over(km_film({paint.K(band), paint.S(band)}, 1), ground);
-    hex += fmt::format("{:02x}", std::lround(255 * linear_to_srgb(std::clamp(linear, 0.0, 1.0))));
-  }
-  return text(hex);
-}
-
 Catalogue pigments() {
   Catalogue out{"pigments", {"name", "over_white", "over_black", "measured"}, {}};
   const auto rgb = rgb_pigment_names();
@@ -46,8 +34,10 @@ Catalogue pigments() {
     const std::optional<Pigment> paint = PaintMaker().from_library(name);
     if (!paint) continue;
     const bool measured = std::find(rgb.begin(), rgb.end(), name) == rgb.end();
-    out.rows.push_back(
-        {text(name), coat(*paint, 1), coat(*paint, 0), {measured ? "true" : "false", false}});
+    out.rows.push_back({text(name),
+                        text(coat_hex(*paint, 1)),
+                        text(coat_hex(*paint, 0)),
+                        {measured ? "true" : "false", false}});
   }
   return out;
 }

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <vector>
@@ -13,6 +12,7 @@
 #include "formats/log/edit/editing_writer.h"
 #include "formats/log/json/nearest_name.h"
 #include "formats/log/reader.h"
+#include "formats/log/stream/log_start.h"
 #include "formats/log/write/json_object.h"
 #include "replay/job/report_object.h"
 
@@ -37,17 +37,6 @@ Result<const sketch::Format*> choose_format(const ConvertJob& job, std::string_v
   if (const sketch::Format* format = sketch::format_of(bytes)) return format;
   return Error{ErrorCode::kBadInput, fmt::format("{}: no format that can be read; --as takes {}",
                                                  job.input, fmt::join(format_names(), ", "))};
-}
-
-/// Whether a file is an action log, by how it begins: compressed, or with a header.
-bool is_log(const std::string& path) {
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
-                                                             std::fclose);
-  if (!file) return false;
-  std::string head(4096, '\0');
-  head.resize(std::fread(head.data(), 1, head.size(), file.get()));
-  return head.starts_with("\x1f\x8b") || head.starts_with("\x28\xb5\x2f\xfd") ||
-         head.substr(0, head.find('\n')).find("\"pentimento-log\"") != std::string::npos;
 }
 
 std::int64_t microseconds(double seconds) {
@@ -174,7 +163,8 @@ Result<ConvertFacts> convert(const ConvertJob& job) {
   ConvertFacts facts;
   facts.input = job.input;
   std::unique_ptr<log::EditingWriter> writer;
-  const bool from_log = job.format == kLogName || (job.format.empty() && is_log(job.input));
+  const bool from_log =
+      job.format == kLogName || (job.format.empty() && log::starts_like_a_log(job.input));
   const Result<void> done =
       from_log ? convert_log(job, facts, writer) : convert_recording(job, facts, writer);
   if (!done) return done.error();

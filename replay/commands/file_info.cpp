@@ -2,12 +2,21 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <fstream>
+#include <memory>
 #include <string_view>
 #include <utility>
 
+#include "formats/import/recording.h"
+#include "formats/import/sketch_log.h"
+#include "formats/io/read_file.h"
+#include "formats/io/sha256.h"
+#include "formats/log/stream/log_start.h"
+#include "formats/log/write/writer.h"
 #include "replay/job/report_object.h"
+#include "replay/log/swatch.h"
 
 namespace pentimento {
 
@@ -24,10 +33,81 @@ bool starts_like_an_output(const std::string& path) {
   return false;
 }
 
+constexpr std::int64_t kMostRecordingBytes = std::int64_t{1} << 30;
+
+/// Takes the log of a recording, and keeps only its sums and its preview.
+class FactsWriter : public log::Writer {
+ public:
+  explicit FactsWriter(int preview_columns) : columns_(preview_columns) {}
+  void write(const log::Header& header) override {
+    facts_.header = header;
+    sum_.emplace(header);
+    if (columns_ > 0) preview_.emplace(header, columns_);
+  }
+  void write(const log::Event& event) override {
+    sum_->add(event);
+    if (preview_) preview_->add(event);
+  }
+  Result<Published> finish() override { return Published{}; }
+
+  LogFacts facts() const {
+    LogFacts out = facts_;
+    out.summary = sum_->finish();
+    return out;
+  }
+  const std::optional<log::StrokePreview>& preview() const { return preview_; }
+
+ private:
+  int columns_;
+  LogFacts facts_;
+  std::optional<log::Summarizer> sum_;
+  std::optional<log::StrokePreview> preview_;
+};
+
+/// Whether a file is one of another program, which it is if no log begins like it.
+Result<bool> describe_recording(const std::string& path, int preview_columns, FileInfo& info) {
+  const Result<std::string> bytes = read_file(path, kMostRecordingBytes);
+  if (!bytes) return bytes.error();
+  const sketch::Format* format = sketch::format_of(*bytes);
+  if (format == nullptr) return false;
+  const Result<sketch::Sketch> drawing = format->read({path, *bytes}, {});
+  if (!drawing) return drawing.error();
+  FactsWriter writer(preview_columns);
+  const Result<sketch::LogCounts> counts = write_log(*drawing, {}, {}, writer);
+  if (!counts) return Error{counts.error().code, path + ": " + counts.error().message};
+  info.recording = FileInfo::Recording{std::string(format->name), drawing->title, counts->samples,
+                                       drawing->report, writer.facts()};
+  info.recording->log.summary.sha256 = sha256_hex(*bytes);
+  info.preview = writer.preview();
+  return true;
+}
+
+Result<log::StrokePreview> preview_log(const std::string& path, const log::ReaderOptions& reading,
+                                       int columns) {
+  Result<std::unique_ptr<log::Reader>> reader = log::Reader::open(path, reading);
+  if (!reader) return reader.error();
+  const log::Header& header = (*reader)->header();
+  log::StrokePreview preview(header, columns);
+  for (const log::PigmentSpec& spec : header.palette)
+    if (const std::optional<log::Rgb> color = linear_of_hex(swatch_hex(spec)))
+      preview.set_pigment(spec.name, *color);
+  while (true) {
+    const Result<std::optional<log::Event>> event = (*reader)->next();
+    if (!event) return event.error();
+    if (!*event) return preview;
+    preview.add(**event);
+  }
+}
+
 std::string counts_json(const std::map<std::string, std::int64_t>& counts) {
   ReportObject json;
   for (const auto& [name, count] : counts) json.add(name, count);
   return json.text();
+}
+
+template <typename Bins>
+std::string bins_json(const Bins& bins) {
+  return fmt::format("[{}]", fmt::join(bins, ","));
 }
 
 std::string strings_json(const std::vector<std::string>& strings) {
@@ -40,6 +120,33 @@ std::string map_json(const std::map<std::string, std::string>& map) {
   ReportObject json;
   for (const auto& [key, value] : map) json.add(key, value);
   return json.text();
+}
+
+/// Left, top, right and bottom of all samples; empty if there is none.
+std::string extent_json(const log::Bounds& bounds) {
+  return bounds.empty() ? "[]"
+                        : fmt::format("[{},{},{},{}]", bounds.min_x_m, bounds.min_y_m,
+                                      bounds.max_x_m, bounds.max_y_m);
+}
+
+void add_recording(const FileInfo::Recording& recording, ReportObject& json) {
+  const log::Summary& sum = recording.log.summary;
+  json.add("kind", "recording")
+      .add("format", recording.format)
+      .add("title", recording.title)
+      .add("strokes", sum.strokes)
+      .add("samples", recording.samples)
+      .add("duration_s", sum.duration_s())
+      .add("canvas_width_m", recording.log.header.canvas_width_m)
+      .add("canvas_height_m", recording.log.header.canvas_height_m)
+      .add_json("extent_m", extent_json(sum.bounds))
+      .add_json("pressures", bins_json(sum.pressures))
+      .add_json("tilts", bins_json(sum.tilts))
+      .add("colors", static_cast<std::int64_t>(sum.colors.size()))
+      .add_json("kept", strings_json(recording.report.kept))
+      .add_json("guessed", strings_json(recording.report.guessed))
+      .add_json("dropped", strings_json(recording.report.dropped))
+      .add("sha256", sum.sha256);
 }
 
 void add_log(const LogFacts& log, ReportObject& json) {
@@ -62,7 +169,11 @@ void add_log(const LogFacts& log, ReportObject& json) {
       .add("undone", log.undone)
       .add("steps", log.steps)
       .add("duration_s", log.summary.duration_s())
+      .add_json("extent_m", extent_json(log.summary.bounds))
+      .add_json("pressures", bins_json(log.summary.pressures))
+      .add_json("tilts", bins_json(log.summary.tilts))
       .add_json("pigments", strings_json(log.pigments))
+      .add_json("swatches", strings_json(log.swatches))
       .add_json("marks", strings_json(log.summary.marks))
       .add_json("files", map_json(log.files))
       .add("log_sha256", log.summary.sha256);
@@ -81,6 +192,48 @@ void add_output(const FileDescription& output, ReportObject& json) {
   ReportObject provenance;
   for (const auto& [key, value] : output.provenance) provenance.add(key, value);
   json.add_json("provenance", provenance.text());
+}
+
+/// Shares of the bins as bars of an eighth's steps: "▁▂▇█".
+template <typename Bins>
+std::string bars(const Bins& bins) {
+  constexpr std::array<const char*, 9> kBars = {" ", "▁", "▂", "▃", "▄", "▅", "▆", "▇", "█"};
+  const std::int64_t most = *std::max_element(bins.begin(), bins.end());
+  std::string out;
+  for (const std::int64_t count : bins)
+    out += kBars[most == 0 ? 0 : static_cast<std::size_t>((8 * count + most - 1) / most)];
+  return out;
+}
+
+/// How the pen was held and where, one line each.
+std::string strokes_text(const log::Summary& sum) {
+  std::string text;
+  if (!sum.bounds.empty())
+    text += fmt::format("{:<12} {:.4g}..{:.4g} x {:.4g}..{:.4g} m\n", "extent", sum.bounds.min_x_m,
+                        sum.bounds.max_x_m, sum.bounds.min_y_m, sum.bounds.max_y_m);
+  if (sum.has_pressure) text += fmt::format("{:<12} 0 {} 1\n", "pressure", bars(sum.pressures));
+  if (sum.has_tilt) text += fmt::format("{:<12} 0 {} 90 degrees\n", "tilt", bars(sum.tilts));
+  return text;
+}
+
+std::string recording_text(const FileInfo::Recording& recording) {
+  const log::Summary& sum = recording.log.summary;
+  std::string text = fmt::format("recording, {}\n", recording.format);
+  const auto line = [&](std::string_view key, const std::string& value) {
+    if (!value.empty()) text += fmt::format("{:<12} {}\n", key, value);
+  };
+  line("title", recording.title);
+  line("strokes", fmt::format("{}, {} samples", sum.strokes, recording.samples));
+  line("duration", fmt::format("{:.1f} s", sum.duration_s()));
+  line("canvas", fmt::format("{:.4g} x {:.4g} m", recording.log.header.canvas_width_m,
+                             recording.log.header.canvas_height_m));
+  text += strokes_text(sum);
+  line("colours", fmt::format("{}", sum.colors.size()));
+  line("kept", fmt::format("{}", fmt::join(recording.report.kept, ", ")));
+  line("guessed", fmt::format("{}", fmt::join(recording.report.guessed, ", ")));
+  line("dropped", fmt::format("{}", fmt::join(recording.report.dropped, ", ")));
+  line("sha256", sum.sha256);
+  return text;
 }
 
 std::string log_text(const LogFacts& log) {
@@ -104,8 +257,12 @@ std::string log_text(const LogFacts& log) {
     text += fmt::format("  {:<12} {}\n", name, count);
   line("strokes", fmt::format("{} ({} strokes, dryings, clearings or loads undone)",
                               log.summary.strokes, log.undone));
+  text += strokes_text(log.summary);
   line("pigments", fmt::format("{}", log.pigments.size()));
-  for (const std::string& name : log.pigments) text += fmt::format("  {}\n", name);
+  for (std::size_t i = 0; i < log.pigments.size(); ++i)
+    text += log.pigments[i] == log.swatches[i]
+                ? fmt::format("  {}\n", log.pigments[i])
+                : fmt::format("  {:<24} {}\n", log.pigments[i], log.swatches[i]);
   for (const std::string& name : log.summary.marks) line("mark", name);
   for (const auto& [name, sha256] : log.files) line("file", name + "  " + sha256);
   line("sha256", log.summary.sha256);
@@ -125,18 +282,28 @@ std::string output_text(const FileDescription& output) {
 }
 }  // namespace
 
-Result<FileInfo> file_info(const std::string& path, const log::ReaderOptions& reading) {
+Result<FileInfo> file_info(const std::string& path, const log::ReaderOptions& reading,
+                           int preview_columns) {
   FileInfo info;
   info.file = path;
   if (path != "-" && starts_like_an_output(path)) {
     Result<FileDescription> output = describe_file(path);
     if (!output) return output.error();
     info.output = std::move(*output);
-  } else {
-    Result<LogFacts> log = validate_log(path, reading);
-    if (!log) return log.error();
-    info.log = std::move(*log);
+    return info;
   }
+  if (path != "-" && !log::starts_like_a_log(path)) {
+    const Result<bool> known = describe_recording(path, preview_columns, info);
+    if (!known) return known.error();
+    if (*known) return info;
+  }
+  Result<LogFacts> log = validate_log(path, reading);
+  if (!log) return log.error();
+  info.log = std::move(*log);
+  if (path == "-" || preview_columns == 0) return info;
+  Result<log::StrokePreview> preview = preview_log(path, reading, preview_columns);
+  if (!preview) return preview.error();
+  info.preview = std::move(*preview);
   return info;
 }
 
@@ -144,12 +311,15 @@ std::string info_json(const FileInfo& info) {
   ReportObject json;
   json.add("file", info.file);
   if (info.log) add_log(*info.log, json);
+  if (info.recording) add_recording(*info.recording, json);
   if (info.output) add_output(*info.output, json);
   return json.text();
 }
 
 std::string info_text(const FileInfo& info) {
-  return info.log ? log_text(*info.log) : output_text(*info.output);
+  if (info.output) return output_text(*info.output);
+  const std::string text = info.log ? log_text(*info.log) : recording_text(*info.recording);
+  return text + (info.preview ? info.preview->text() : "");
 }
 
 }  // namespace pentimento

@@ -5,20 +5,33 @@
 #include <string>
 
 #include "core/base/result.h"
+#include "formats/import/sketch.h"
 #include "formats/io/provenance.h"
+#include "formats/log/stroke_preview.h"
 #include "replay/commands/validate.h"
 
 namespace pentimento {
 
-/// What a file holds: `log` or `output` is set.
+/// What a file holds: `log`, `output` or `recording` is set.
 struct FileInfo {
+  /// Another program's recording, and the log that `convert` makes of it.
+  struct Recording {
+    std::string format, title;
+    std::int64_t samples = 0;
+    sketch::Report report;
+    LogFacts log;
+  };
   std::string file;
   std::optional<LogFacts> log;
-  std::optional<FileDescription> output;  // a picture or a state dump
+  std::optional<Recording> recording;
+  std::optional<log::StrokePreview> preview;  // of a log or a recording
+  std::optional<FileDescription> output;      // a picture or a state dump
 };
 
-/// Describes a file. Errors: those of its kind of file.
-Result<FileInfo> file_info(const std::string& path, const log::ReaderOptions& reading);
+/// Describes a file, with a preview of that many characters a row unless it is 0 or the log comes
+/// from standard input. Errors: those of its kind of file.
+Result<FileInfo> file_info(const std::string& path, const log::ReaderOptions& reading,
+                           int preview_columns = 0);
 
 std::string info_json(const FileInfo& info);
 std::string info_text(const FileInfo& info);

@@ -5,6 +5,7 @@
 
 #include "replay/log/brushes.h"
 #include "replay/log/log_files.h"
+#include "replay/log/swatch.h"
 #include "replay/paper/paper_relief.h"
 #include "replay/session/log_plan.h"
 
@@ -15,6 +16,15 @@ std::int64_t count_undone(const UndoTable& undo) {
   std::int64_t count = 0;
   for (std::int64_t unit = 0; unit < undo.units(); ++unit) count += undo.played(unit) ? 0 : 1;
   return count;
+}
+/// A picked colour is its own name.
+std::string swatch_of(const log::Header& header, const std::string& name) {
+  for (const log::PigmentSpec& spec : header.palette)
+    if (spec.name == name) return swatch_hex(spec);
+  log::PigmentSpec named;
+  named.name = name;
+  named.library = true;
+  return name.starts_with('#') ? name : swatch_hex(named);
 }
 }  // namespace
 
@@ -38,7 +48,10 @@ Result<LogFacts> validate_log(const std::string& path, const log::ReaderOptions&
   if (!plan) return plan.error();
   facts.undone = count_undone(plan->undo);
   facts.steps = plan->steps;
-  for (const Pigment& pigment : plan->palette.pigments()) facts.pigments.push_back(pigment.name);
+  for (const Pigment& pigment : plan->palette.pigments()) {
+    facts.pigments.push_back(pigment.name);
+    facts.swatches.push_back(swatch_of(facts.header, pigment.name));
+  }
   facts.files = files.hashes();
   return facts;
 }

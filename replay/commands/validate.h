@@ -18,6 +18,7 @@ struct LogFacts {
   std::int64_t undone = 0;  // strokes, dryings, clearings and loads that are undone
   std::int64_t steps = 0;
   std::vector<std::string> pigments;         // those of the header, and picked colours
+  std::vector<std::string> swatches;         // "#rrggbb" of each
   std::map<std::string, std::string> files;  // file named by the log -> SHA-256
 };
 

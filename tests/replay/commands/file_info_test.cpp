@@ -42,8 +42,56 @@ TEST(FileInfo, OfALogIsWhatItHolds) {
        {"title        T\n", "canvas       0.4 x 0.3 m\n", "grid         80 x 60 cells\n",
         "duration     1.5 s, 76 steps of 1/50 s\n", "events       13\n",
         "strokes      2 (2 strokes, dryings, clearings or loads undone)\n",
-        "pigments     3\n  blue\n", "mark         half\n"})
+        "pigments     3\n  blue ", "mark         half\n"})
     EXPECT_NE(text.find(line), std::string::npos) << text;
+}
+
+TEST(FileInfo, TellsHowThePenWasHeld) {
+  std::string log = test::kSmallLog;
+  log +=
+      R"({"t":1.3,"type":"touch","phase":"down","id":9,"x":0.1,"y":0.2,"pressure":0.05,"tilt_x":45})"
+      "\n"
+      R"({"t":1.4,"type":"touch","phase":"move","id":9,"x":0.2,"y":0.2,"pressure":1,"tilt_x":3,"tilt_y":-4})"
+      "\n"
+      R"({"t":1.5,"type":"touch","phase":"up","id":9,"x":0.2,"y":0.2,"pressure":0.95})"
+      "\n";
+  const test::JobFolder folder(log);
+  const auto info = file_info(folder.path("a.jsonl"), {}, 20);
+  ASSERT_TRUE(info) << info.error().message;
+  EXPECT_EQ(info->log->summary.tilts, (std::array<std::int64_t, 9>{1, 0, 0, 0, 1, 0, 0, 0, 0}));
+  EXPECT_GE(info->log->summary.pressures[9], 2);
+  EXPECT_GE(info->log->summary.pressures[0], 1);
+  const std::string json = info_json(*info);
+  EXPECT_NE(json.find("\"tilts\":[1,0,0,0,1,0,0,0,0]"), std::string::npos) << json;
+  EXPECT_NE(json.find("\"extent_m\":["), std::string::npos) << json;
+  ASSERT_TRUE(info->preview);
+  EXPECT_EQ(info->preview->width(), 20);
+  const std::string text = info_text(*info);
+  EXPECT_NE(text.find("tilt         0 \u2588"), std::string::npos) << text;
+  EXPECT_NE(text.find("\u2580"), std::string::npos);
+  EXPECT_NE(text.find("#e0c020\n"), std::string::npos);
+  EXPECT_FALSE(file_info(folder.path("a.jsonl"), {})->preview);
+}
+
+TEST(FileInfo, OfARecordingIsWhatItsLogWouldHold) {
+  const test::JobFolder folder;
+  folder.write("a.dat", "0 10 10 0.5\n1 20 30 0.6\n2 20 30 0\n");
+  const auto info = file_info(folder.path("a.dat"), {}, 10);
+  ASSERT_TRUE(info) << info.error().message;
+  const std::string json = info_json(*info);
+  for (const auto& [key, value] : {std::pair{"kind", "recording"},
+                                   {"format", "mypaint"},
+                                   {"strokes", "1"},
+                                   {"samples", "2"},
+                                   {"duration_s", "1"},
+                                   {"colors", "1"}})
+    EXPECT_EQ(json_member(json, key), value) << key;
+  EXPECT_NE(info_text(*info).find("recording, mypaint\n"), std::string::npos);
+  EXPECT_TRUE(info->preview);
+  folder.write("b.dat", "0 10 10 7\n");
+  EXPECT_FALSE(file_info(folder.path("b.dat"), {}));
+  folder.write("c.txt", "what is this\n");
+  EXPECT_FALSE(file_info(folder.path("c.txt"), {}));
 }
 
 TEST(FileInfo, OfAnOutputIsWhatItSaysWhateverItIsCalled) {
