@@ -96,7 +96,10 @@ struct EditTexts {
   std::string trim, fit;
 };
 
-void add_edit_options(CLI::App& app, LogEdits& edits, EditTexts& texts) {
+void add_edit_options(CLI::App& app, LogEdits& edits, EditTexts& texts,
+                      log::ReaderOptions& reading) {
+  app.add_flag("--repair", reading.repair,
+               "of a broken log: put right or drop what a log may not have");
   app.add_option("--trim", texts.trim, "only this part, in seconds; it becomes the beginning")
       ->type_name("FROM..TO");
   app.add_option("--speed", edits.speed, "so many times faster (1)")
@@ -143,7 +146,7 @@ int run_convert(const Arguments& arguments) {
       ->check(in_range(16, 16384))
       ->type_name("N");
   EditTexts texts;
-  add_edit_options(app, job.edits, texts);
+  add_edit_options(app, job.edits, texts, job.log_reading);
   add_csv_options(app, job.reading.csv);
   app.add_flag("--json", json, "the report as one JSON object, on standard output");
   app.add_flag("--quiet", quiet, "no report");

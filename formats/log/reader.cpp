@@ -2,11 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <deque>
+
 #include "formats/log/json/json_line.h"
 #include "formats/log/json/json_scan.h"
 #include "formats/log/parse/event_parser.h"
 #include "formats/log/parse/header_parser.h"
 #include "formats/log/parse/log_rules.h"
+#include "formats/log/parse/repair.h"
 #include "formats/log/stream/line_source.h"
 
 namespace pentimento::log {
@@ -40,12 +43,15 @@ class LogReader : public Reader {
   Result<void> rewind() override;
   std::string sha256() const override { return lines_.sha256(); }
   std::string salvaged() const override { return salvaged_; }
+  std::vector<std::string> repaired() const override { return repair_.notes(); }
 
  private:
   Error located(const Error& error) const;
   Error bad(std::string_view what) const {
     return located({ErrorCode::kBadInput, std::string(what)});
   }
+  Result<std::optional<Event>> next_in_file();
+  Result<std::optional<Event>> next_repaired();
   Result<std::optional<Event>> at_end();
   Result<std::optional<Event>> at_cut(const Line& line);
   std::string header_problem(const Line& line);
@@ -57,6 +63,8 @@ class LogReader : public Reader {
   Header header_;
   LogRules rules_;
   std::string salvaged_;
+  Repair repair_;
+  std::deque<Event> ready_;  // mended events that come before the next line
 };
 
 Error LogReader::located(const Error& error) const {
@@ -88,6 +96,43 @@ Result<void> LogReader::read_header() {
 }
 
 Result<std::optional<Event>> LogReader::next() {
+  return options_.repair ? next_repaired() : next_in_file();
+}
+
+Result<std::optional<Event>> LogReader::next_repaired() {
+  bool ended = false;
+  while (true) {
+    while (!ready_.empty()) {
+      Event event = std::move(ready_.front());
+      ready_.pop_front();
+      const Result<void> checked = rules_.check(event);
+      if (checked) return std::optional(std::move(event));
+      if (checked.error().code != ErrorCode::kBadInput) return located(checked.error());
+      repair_.drop(event.line, checked.error().message);
+    }
+    if (ended) return std::optional<Event>();
+    const Result<std::optional<Line>> next_line = lines_.next();
+    if (!next_line) return located(next_line.error());
+    std::vector<Event> mended;
+    if (!*next_line) {
+      ended = true;
+      mended = repair_.finish();
+    } else {
+      const Line& line = **next_line;
+      Event event;
+      event.line = line.number;
+      std::string problem = json_.parse(line.text, options_.limits.max_depth);
+      if (problem.empty()) problem = parse_event(json_, without_space(line.text), event);
+      if (problem.empty())
+        mended = repair_.mend(event);
+      else
+        repair_.drop(line.number, problem);
+    }
+    ready_.insert(ready_.end(), mended.begin(), mended.end());
+  }
+}
+
+Result<std::optional<Event>> LogReader::next_in_file() {
   const Result<std::optional<Line>> next_line = lines_.next();
   if (!next_line) return located(next_line.error());
   if (!*next_line) return at_end();
@@ -123,6 +168,8 @@ Result<void> LogReader::rewind() {
   Result<void> rewound = lines_.rewind();
   if (!rewound) return rewound;
   rules_ = LogRules(header_, options_);
+  repair_ = {};
+  ready_.clear();
   // The header is known already. It is not replaced, for callers hold references to it.
   const Result<std::optional<Line>> line = lines_.next();
   if (!line) return located(line.error());

@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/base/result.h"
 #include "formats/log/parse/reader_options.h"
@@ -30,6 +31,8 @@ class Reader {
   virtual std::string sha256() const = 0;
   /// What salvage dropped: "line 812 is cut short (37 bytes dropped)"; empty if nothing.
   virtual std::string salvaged() const = 0;
+  /// What repair did, a few words each; empty if nothing.
+  virtual std::vector<std::string> repaired() const { return {}; }
 };
 
 }  // namespace pentimento::log

@@ -144,6 +144,7 @@ Result<void> convert_log(const ConvertJob& job, ConvertFacts& facts,
     if (!*event) break;
     writer->write(**event);
   }
+  facts.report.guessed = (*reader)->repaired();
   if (names_files) facts.report.kept = {"names of files, which must lie beside the new log"};
   return {};
 }

@@ -87,10 +87,12 @@ Result<void> LogRules::check_action(const Touch& touch) {
 Result<void> LogRules::check_action(const Slider& slider) {
   const ModelField* field = find_model_field(slider.name);
   if (field == nullptr) return {};
-  set_model_value(*field, model_, slider.value);
-  std::string problem = model_problem(model_);
-  if (problem.empty()) return {};
-  return bad(std::move(problem));
+  Model changed = model_;
+  set_model_value(*field, changed, slider.value);
+  std::string problem = model_problem(changed);
+  if (!problem.empty()) return bad(std::move(problem));
+  model_ = changed;
+  return {};
 }
 
 Result<void> LogRules::check_action(const Color& color) {

@@ -18,6 +18,7 @@ struct Limits {
 struct ReaderOptions {
   Limits limits;
   bool salvage = false;  // a log cut short in its last line: stop before it instead of failing
+  bool repair = false;   // put right or drop what a log may not have; the header must be right
   bool allow_outside = false;  // files may be named by absolute paths or through `..`
 };
 
