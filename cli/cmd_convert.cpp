@@ -9,6 +9,7 @@
 
 #include "cli/command.h"
 #include "cli/range.h"
+#include "cli/signals.h"
 #include "cli/values.h"
 #include "replay/commands/convert.h"
 
@@ -167,6 +168,11 @@ int run_convert(const Arguments& arguments) {
   }
   if (job.edits.longest_idle_s) job.writing.longest_pause_s = *job.edits.longest_idle_s;
 
+  job.control = [] {
+    Control control;
+    control.cancelled = &watch_signals();
+    return control;
+  };
   const Result<ConvertFacts> done = convert(job);
   if (!done) return fail(done.error());
   if (json) return print(convert_json(*done) + "\n");

@@ -63,13 +63,34 @@ Result<log::Edits> make_edits(const LogEdits& from) {
   return out;
 }
 
+/// Writes nothing more once the job is told to stop, and leaves no file then.
+class StoppableWriter : public log::Writer {
+ public:
+  StoppableWriter(Control control, std::unique_ptr<log::Writer> inner)
+      : control_(std::move(control)), inner_(std::move(inner)) {}
+  void write(const log::Header& header) override { inner_->write(header); }
+  void write(const log::Event& event) override {
+    if (control_.go_on()) inner_->write(event);
+  }
+  Result<Published> finish() override {
+    if (Result<void> stopped = control_.go_on(); !stopped) return stopped.error();
+    return inner_->finish();
+  }
+
+ private:
+  Control control_;
+  std::unique_ptr<log::Writer> inner_;
+};
+
 Result<std::unique_ptr<log::EditingWriter>> open_output(const ConvertJob& job) {
   Result<log::Edits> edits = make_edits(job.edits);
   if (!edits) return edits.error();
+  Control control = job.control ? job.control() : Control();
   Result<std::unique_ptr<log::Writer>> file =
       log::Writer::create(job.output, log::compression_of(job.output), job.no_clobber);
   if (!file) return file.error();
-  return std::make_unique<log::EditingWriter>(std::move(*edits), std::move(*file));
+  return std::make_unique<log::EditingWriter>(
+      std::move(*edits), std::make_unique<StoppableWriter>(std::move(control), std::move(*file)));
 }
 
 std::string file_name(const std::string& path) {

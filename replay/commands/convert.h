@@ -1,6 +1,7 @@
 #pragma once
 // `pentimento convert`: another program's recording becomes an action log, and a log another log.
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -10,6 +11,7 @@
 #include "formats/import/recording.h"
 #include "formats/import/sketch_log.h"
 #include "formats/log/parse/reader_options.h"
+#include "replay/job/control.h"
 
 namespace pentimento {
 
@@ -34,6 +36,8 @@ struct ConvertJob {
   log::ReaderOptions log_reading;
   LogEdits edits;
   bool no_clobber = false;
+  /// Asked once, before anything is written: until then a signal may end the process. May be empty.
+  std::function<Control()> control;
 };
 
 struct ConvertFacts {
@@ -44,8 +48,8 @@ struct ConvertFacts {
   Published log;
 };
 
-/// Errors: kUsage (an unknown format), kBadInput, kLimit, kIo. A log on standard input needs
-/// format "log".
+/// Errors: kUsage (an unknown format), kBadInput, kLimit, kIo, kInterrupted. A log on standard
+/// input needs format "log".
 Result<ConvertFacts> convert(const ConvertJob& job);
 
 std::string convert_json(const ConvertFacts& facts);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+
 #include "replay/commands/validate.h"
 #include "tests/replay/small_job.h"
 
@@ -58,6 +60,21 @@ TEST(Convert, ALogStaysTheSamePaintingAndIsNamed) {
   ASSERT_TRUE(twice);
   EXPECT_NE(twice->header.extensions.find("\"x-edited-2\""), std::string::npos);
   EXPECT_NEAR(twice->summary.duration_s(), before->summary.duration_s() / 2, 1e-6);
+}
+
+TEST(Convert, AJobThatIsToldToStopLeavesNothing) {
+  const test::JobFolder folder(test::kSmallLog);
+  const std::atomic<bool> stop = true;
+  ConvertJob stopped = job(folder, "a.jsonl");
+  stopped.control = [&] {
+    Control control;
+    control.cancelled = &stop;
+    return control;
+  };
+  const auto done = convert(stopped);
+  ASSERT_FALSE(done);
+  EXPECT_EQ(done.error().code, ErrorCode::kInterrupted);
+  EXPECT_EQ(test::run("ls -A " + folder.path("")).second, "a.jsonl\n");
 }
 
 TEST(Convert, NothingIsWrittenWhereSomethingIsWrong) {
