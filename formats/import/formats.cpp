@@ -8,6 +8,8 @@ namespace pentimento::sketch {
 
 namespace {
 constexpr std::array kFormats = {
+    Format{"excalidraw", "Excalidraw scene or library", ".excalidraw .excalidrawlib", is_excalidraw,
+           read_excalidraw},
     Format{"mypaint", "MyPaint event recording", ".dat", is_mypaint, read_mypaint},
 };
 }  // namespace
