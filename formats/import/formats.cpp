@@ -8,6 +8,7 @@ namespace pentimento::sketch {
 
 namespace {
 constexpr std::array kFormats = {
+    Format{"inkml", "W3C Ink Markup Language", ".inkml", is_inkml, read_inkml},
     Format{"excalidraw", "Excalidraw scene or library", ".excalidraw .excalidrawlib", is_excalidraw,
            read_excalidraw},
     Format{"mypaint", "MyPaint event recording", ".dat", is_mypaint, read_mypaint},
