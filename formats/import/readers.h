@@ -6,6 +6,9 @@
 
 namespace pentimento::sketch {
 
+bool is_drawpile(std::string_view bytes);
+Result<Sketch> read_drawpile(const Source& source, const ReadOptions& options);
+
 bool is_excalidraw(std::string_view bytes);
 Result<Sketch> read_excalidraw(const Source& source, const ReadOptions& options);
 
