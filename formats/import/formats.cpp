@@ -8,6 +8,7 @@ namespace pentimento::sketch {
 
 namespace {
 constexpr std::array kFormats = {
+    Format{"artrage", "ArtRage script", ".arscript", is_artrage, read_artrage},
     Format{"drawpile", "Drawpile text recording", ".dptxt", is_drawpile, read_drawpile},
     Format{"inkml", "W3C Ink Markup Language", ".inkml", is_inkml, read_inkml},
     Format{"excalidraw", "Excalidraw scene or library", ".excalidraw .excalidrawlib", is_excalidraw,

@@ -6,6 +6,9 @@
 
 namespace pentimento::sketch {
 
+bool is_artrage(std::string_view bytes);
+Result<Sketch> read_artrage(const Source& source, const ReadOptions& options);
+
 bool is_drawpile(std::string_view bytes);
 Result<Sketch> read_drawpile(const Source& source, const ReadOptions& options);
 
