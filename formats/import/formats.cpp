@@ -8,6 +8,11 @@ namespace pentimento::sketch {
 
 namespace {
 constexpr std::array kFormats = {
+    Format{"artrage", "ArtRage script", ".arscript", is_artrage, read_artrage},
+    Format{"drawpile", "Drawpile text recording", ".dptxt", is_drawpile, read_drawpile},
+    Format{"inkml", "W3C Ink Markup Language", ".inkml", is_inkml, read_inkml},
+    Format{"excalidraw", "Excalidraw scene or library", ".excalidraw .excalidrawlib", is_excalidraw,
+           read_excalidraw},
     Format{"mypaint", "MyPaint event recording", ".dat", is_mypaint, read_mypaint},
 };
 }  // namespace

@@ -6,6 +6,18 @@
 
 namespace pentimento::sketch {
 
+bool is_artrage(std::string_view bytes);
+Result<Sketch> read_artrage(const Source& source, const ReadOptions& options);
+
+bool is_drawpile(std::string_view bytes);
+Result<Sketch> read_drawpile(const Source& source, const ReadOptions& options);
+
+bool is_excalidraw(std::string_view bytes);
+Result<Sketch> read_excalidraw(const Source& source, const ReadOptions& options);
+
+bool is_inkml(std::string_view bytes);
+Result<Sketch> read_inkml(const Source& source, const ReadOptions& options);
+
 bool is_mypaint(std::string_view bytes);
 Result<Sketch> read_mypaint(const Source& source, const ReadOptions& options);
 
