@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <array>
 
-#include "formats/import/readers.h"
-#include "formats/import/recording.h"
+#include "formats/import/read/readers.h"
+#include "formats/import/sketch/recording.h"
 
 namespace pentimento::sketch {
 

@@ -10,7 +10,7 @@
 #include <array>
 #include <cmath>
 
-#include "formats/import/text_rows.h"
+#include "formats/import/sketch/text_rows.h"
 #include "formats/log/tables/ranges.h"
 
 namespace pentimento::sketch {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "formats/import/recording.h"
+#include "formats/import/sketch/recording.h"
 #include "formats/log/tables/events.h"
 
 namespace pentimento::sketch {

@@ -9,7 +9,7 @@
 #include "core/model/model.h"
 #include "core/optics/paints/paint_maker.h"
 #include "core/optics/paints/pigment_library.h"
-#include "formats/import/recording.h"
+#include "formats/import/sketch/recording.h"
 #include "formats/log/json/nearest_name.h"
 #include "formats/log/tables/model_fields.h"
 #include "formats/log/tables/slider_fields.h"

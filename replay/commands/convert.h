@@ -8,8 +8,8 @@
 
 #include "core/base/result.h"
 #include "formats/import/gravity_file.h"
-#include "formats/import/recording.h"
-#include "formats/import/sketch_log.h"
+#include "formats/import/sketch/recording.h"
+#include "formats/import/sketch/sketch_log.h"
 #include "formats/log/parse/reader_options.h"
 #include "replay/job/control.h"
 

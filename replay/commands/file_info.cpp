@@ -9,8 +9,8 @@
 #include <string_view>
 #include <utility>
 
-#include "formats/import/recording.h"
-#include "formats/import/sketch_log.h"
+#include "formats/import/sketch/recording.h"
+#include "formats/import/sketch/sketch_log.h"
 #include "formats/io/read_file.h"
 #include "formats/io/sha256.h"
 #include "formats/log/stream/log_start.h"

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "core/base/result.h"
-#include "formats/import/sketch.h"
+#include "formats/import/sketch/sketch.h"
 #include "formats/io/provenance.h"
 #include "formats/log/stroke_preview.h"
 #include "replay/commands/validate.h"

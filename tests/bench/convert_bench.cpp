@@ -10,8 +10,8 @@
 #include <filesystem>
 #include <string>
 
-#include "formats/import/recording.h"
-#include "formats/import/sketch_log.h"
+#include "formats/import/sketch/recording.h"
+#include "formats/import/sketch/sketch_log.h"
 
 namespace pentimento::sketch {
 namespace {

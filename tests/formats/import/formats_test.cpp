@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "formats/import/recording.h"
+#include "formats/import/sketch/recording.h"
 
 namespace pentimento::sketch {
 namespace {

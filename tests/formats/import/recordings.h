@@ -9,7 +9,7 @@
 #include <random>
 #include <string>
 
-#include "formats/import/recording.h"
+#include "formats/import/sketch/recording.h"
 
 namespace pentimento::sketch {
 
