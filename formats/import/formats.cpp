@@ -13,7 +13,11 @@ constexpr std::array kFormats = {
     Format{"inkml", "W3C Ink Markup Language", ".inkml", is_inkml, read_inkml},
     Format{"excalidraw", "Excalidraw scene or library", ".excalidraw .excalidrawlib", is_excalidraw,
            read_excalidraw},
+    Format{"pointer-json", "pointer events of a browser", ".json", is_pointer_json,
+           read_pointer_json},
+    Format{"svc", "handwriting samples (BDALab)", ".svc", is_svc, read_svc},
     Format{"mypaint", "MyPaint event recording", ".dat", is_mypaint, read_mypaint},
+    Format{"csv", "table of samples", ".csv .tsv .txt", is_csv, read_csv},
 };
 }  // namespace
 

@@ -21,4 +21,13 @@ Result<Sketch> read_inkml(const Source& source, const ReadOptions& options);
 bool is_mypaint(std::string_view bytes);
 Result<Sketch> read_mypaint(const Source& source, const ReadOptions& options);
 
+bool is_svc(std::string_view bytes);
+Result<Sketch> read_svc(const Source& source, const ReadOptions& options);
+
+bool is_pointer_json(std::string_view bytes);
+Result<Sketch> read_pointer_json(const Source& source, const ReadOptions& options);
+
+bool is_csv(std::string_view bytes);
+Result<Sketch> read_csv(const Source& source, const ReadOptions& options);
+
 }  // namespace pentimento::sketch

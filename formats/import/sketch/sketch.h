@@ -23,7 +23,7 @@ struct Sample {
   float twist_deg = 0;   // -360..360
 };
 
-/// The nearest built-in brush.
+/// The nearest built-in brush; round and rigger are pens, which do not run dry.
 enum class BrushKind { kRound, kFlat, kBristle, kRigger };
 
 struct Stroke {

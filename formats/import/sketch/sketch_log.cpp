@@ -27,11 +27,22 @@ const char* name_of(BrushKind brush) {
     case BrushKind::kBristle:
       return "bristle";
     case BrushKind::kRigger:
-      return "rigger";
+      return "fine pen";
     case BrushKind::kRound:
       break;
   }
-  return "round";
+  return "pen";
+}
+
+/// Round brushes that never run dry, as what drew the recording did not.
+std::vector<log::BrushSpec> pens() {
+  std::vector<log::BrushSpec> out(2);
+  out[0].name = "pen";
+  out[0].shape = "round";
+  out[1].name = "fine pen";
+  out[1].shape = "rigger";
+  for (log::BrushSpec& pen : out) pen.capacity = log::kCapacityRange.max;
+  return out;
 }
 
 /// The slider `pigment` of paint of that opacity.
@@ -198,6 +209,7 @@ log::Header header_of(const Sketch& sketch, const SketchFrame& frame, const Sket
   header.grid_width = frame.grid_width;
   header.grid_height = frame.grid_height;
   header.paper.reflectance = sketch.paper.value_or(log::Rgb{kPaperFree, kPaperFree, kPaperFree});
+  header.brushes = pens();
   header.title = sketch.title;
   header.author = sketch.author;
   header.recorded_by = sketch.recorded_by;

@@ -44,7 +44,7 @@ TEST(SketchLog, WritesBrushSizeAndColourOnceAndThenTheSamples) {
   EXPECT_EQ(out.head.extensions,
             R"("x-source":{"format":"mypaint","file":"a.dat","sha256":"beef"})");
   const std::vector<std::string> expected = {
-      R"({"t":0,"type":"brush","name":"round"})",
+      R"({"t":0,"type":"brush","name":"pen"})",
       R"({"t":0,"type":"slider","name":"size","value":0.05})",
       R"({"t":0,"type":"color","value":"#ffffff"})",
       R"({"t":0,"type":"touch","phase":"down","x":0.1,"y":0.1})",
