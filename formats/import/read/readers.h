@@ -30,4 +30,7 @@ Result<Sketch> read_pointer_json(const Source& source, const ReadOptions& option
 bool is_csv(std::string_view bytes);
 Result<Sketch> read_csv(const Source& source, const ReadOptions& options);
 
+bool is_a_painter(std::string_view bytes);
+Result<Sketch> read_a_painter(const Source& source, const ReadOptions& options);
+
 }  // namespace pentimento::sketch
