@@ -27,20 +27,6 @@ Error bad(const Source& source, int line, const std::string& problem) {
   return {ErrorCode::kBadInput, fmt::format("{}:{}: {}", source.name, line, problem)};
 }
 
-/// The fields of a line, parted by commas, semicolons or tabs, without blanks and quotes around.
-std::vector<std::string_view> fields_of(std::string_view line) {
-  std::vector<std::string_view> out;
-  while (true) {
-    const std::size_t end = line.find_first_of(",;\t");
-    std::string_view field = line.substr(0, end);
-    while (!field.empty() && (field.front() == ' ' || field.front() == '"')) field.remove_prefix(1);
-    while (!field.empty() && (field.back() == ' ' || field.back() == '"')) field.remove_suffix(1);
-    out.push_back(field);
-    if (end == std::string_view::npos) return out;
-    line.remove_prefix(end + 1);
-  }
-}
-
 /// What a kind of table calls its columns: time, x, y, z.
 struct TableKind {
   std::string_view name;
@@ -94,7 +80,9 @@ double second_per_unit(const std::vector<SensorReading>& readings) {
 Result<std::vector<SensorReading>> read_table(const Source& source, std::string_view wanted,
                                               std::string& kind_name) {
   std::string_view rest = without_bom(source.bytes);
-  const std::vector<std::string_view> header = fields_of(next_line(rest));
+  const std::string_view first_line = next_line(rest);
+  const char separator = separator_of(first_line);
+  const std::vector<std::string_view> header = fields_of(first_line, separator);
   const TableKind* kind = nullptr;
   std::array<std::size_t, 4> columns{};
   for (const TableKind& candidate : table_kinds()) {
@@ -111,7 +99,7 @@ Result<std::vector<SensorReading>> read_table(const Source& source, std::string_
   for (int line = 2; !rest.empty(); ++line) {
     const std::string_view text = next_line(rest);
     if (text.empty()) continue;
-    const std::vector<std::string_view> fields = fields_of(text);
+    const std::vector<std::string_view> fields = fields_of(text, separator);
     if (fields.size() != header.size())
       return bad(source, line,
                  fmt::format("{} columns, the first line has {}", fields.size(), header.size()));

@@ -19,27 +19,6 @@ namespace pentimento::sketch {
 namespace {
 constexpr double kGap_s = 0.5;
 
-/// The separator that the line has most of.
-char separator_of(std::string_view line) {
-  constexpr std::string_view kSeparators = ",;\t";
-  return *std::max_element(kSeparators.begin(), kSeparators.end(), [&](char a, char b) {
-    return std::count(line.begin(), line.end(), a) < std::count(line.begin(), line.end(), b);
-  });
-}
-
-std::vector<std::string_view> fields_of(std::string_view line, char separator) {
-  std::vector<std::string_view> out;
-  while (true) {
-    const std::size_t end = line.find(separator);
-    std::string_view field = line.substr(0, end);
-    while (!field.empty() && (field.front() == ' ' || field.front() == '"')) field.remove_prefix(1);
-    while (!field.empty() && (field.back() == ' ' || field.back() == '"')) field.remove_suffix(1);
-    out.push_back(field);
-    if (end == std::string_view::npos) return out;
-    line.remove_prefix(end + 1);
-  }
-}
-
 bool same_name(std::string_view a, std::string_view b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char p, char q) {
     return std::tolower(static_cast<unsigned char>(p)) ==

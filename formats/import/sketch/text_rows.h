@@ -1,6 +1,7 @@
 #pragma once
 // Splits text into lines and lines into fields, and reads numbers, for tables.
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -28,6 +29,28 @@ inline std::vector<std::string_view> words_of(std::string_view line) {
     const std::size_t end = line.find_first_of(" \t");
     words.push_back(line.substr(0, end));
     line.remove_prefix(words.back().size());
+  }
+}
+
+/// The separator of a table that the line has most of: comma, semicolon or tab.
+inline char separator_of(std::string_view line) {
+  constexpr std::string_view kSeparators = ",;\t";
+  return *std::max_element(kSeparators.begin(), kSeparators.end(), [&](char a, char b) {
+    return std::count(line.begin(), line.end(), a) < std::count(line.begin(), line.end(), b);
+  });
+}
+
+/// The fields of a table's line, without blanks and quotes around.
+inline std::vector<std::string_view> fields_of(std::string_view line, char separator) {
+  std::vector<std::string_view> out;
+  while (true) {
+    const std::size_t end = line.find(separator);
+    std::string_view field = line.substr(0, end);
+    while (!field.empty() && (field.front() == ' ' || field.front() == '"')) field.remove_prefix(1);
+    while (!field.empty() && (field.back() == ' ' || field.back() == '"')) field.remove_suffix(1);
+    out.push_back(field);
+    if (end == std::string_view::npos) return out;
+    line.remove_prefix(end + 1);
   }
 }
 

@@ -18,6 +18,13 @@ TEST(TextRows, WordsArePartedByBlanksAndTabs) {
   EXPECT_TRUE(words_of(" ").empty());
 }
 
+TEST(TextRows, FieldsArePartedByTheSeparatorThatTheLineHasMostOf) {
+  EXPECT_EQ(separator_of("a;b;1,5"), ';');
+  EXPECT_EQ(separator_of("a\tb"), '\t');
+  EXPECT_EQ(separator_of("a"), ',');
+  EXPECT_EQ(fields_of(" a ,\"b c\",,d", ','), (std::vector<std::string_view>{"a", "b c", "", "d"}));
+}
+
 TEST(TextRows, ANumberIsTheWholeTextAndFinite) {
   EXPECT_EQ(number_of("+1.5e2"), 150);
   EXPECT_EQ(number_of("-0.25"), -0.25);
