@@ -8,6 +8,7 @@ namespace pentimento::sketch {
 
 namespace {
 constexpr std::array kFormats = {
+    Format{"remarkable", "page of a reMarkable tablet", ".rm", is_remarkable, read_remarkable},
     Format{"a-painter", "A-Painter painting in space", ".apa", is_a_painter, read_a_painter},
     Format{"artrage", "ArtRage script", ".arscript", is_artrage, read_artrage},
     Format{"drawpile", "Drawpile text recording", ".dptxt", is_drawpile, read_drawpile},

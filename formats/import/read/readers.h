@@ -33,4 +33,7 @@ Result<Sketch> read_csv(const Source& source, const ReadOptions& options);
 bool is_a_painter(std::string_view bytes);
 Result<Sketch> read_a_painter(const Source& source, const ReadOptions& options);
 
+bool is_remarkable(std::string_view bytes);
+Result<Sketch> read_remarkable(const Source& source, const ReadOptions& options);
+
 }  // namespace pentimento::sketch

@@ -32,11 +32,16 @@ class ByteReader {
   /// How many records follow, each at least `record_bytes` long. Fails if they cannot all be there.
   std::uint32_t count(std::string_view field, std::size_t record_bytes);
 
+  const std::string& name() const { return name_; }
   std::size_t left() const { return bytes_.size() - at_; }
   std::size_t offset() const { return base_ + at_; }
   bool ok() const { return problem_.empty(); }
   /// Keeps "file: offset N: PROBLEM" unless there is a problem already.
   void fail(std::string problem);
+  /// Keeps the problem of a reader of a part, if it has one.
+  void adopt(const ByteReader& part) {
+    if (ok()) problem_ = part.problem_;
+  }
   /// The problem; ok() must be false.
   Error error() const { return {ErrorCode::kBadInput, problem_}; }
 
