@@ -20,7 +20,7 @@ constexpr const char* kAbout =
     "Make an action log of what another program recorded, or edit a log. The content tells the\n"
     "format.\n\n"
     "Examples:\n"
-    "  pentimento convert painting.tilt -o painting.jsonl.gz\n"
+    "  pentimento convert painting.apa -o painting.jsonl.gz\n"
     "  pentimento convert strokes.csv -o strokes.jsonl --as csv --csv-time ms --csv-y-up\n"
     "  pentimento convert session.jsonl -o part.jsonl --trim 60..90 --speed 2\n"
     "  pentimento convert session.jsonl -o tilted.jsonl --gravity motion.csv\n"

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <pugixml.hpp>
 #include <tuple>
+#include <unordered_map>
 
 #include "formats/import/read/inkml_context.h"
 #include "formats/import/read/readers.h"

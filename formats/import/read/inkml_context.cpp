@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <pugixml.hpp>
+#include <unordered_map>
 
 #include "formats/import/read/css_color.h"
 #include "formats/import/sketch/text_rows.h"
@@ -113,12 +115,19 @@ std::string_view local_name(const pugi::xml_node& node) {
   return colon == std::string_view::npos ? name : name.substr(colon + 1);
 }
 
-InkmlDefinitions::InkmlDefinitions(const pugi::xml_node& root) {
+struct InkmlDefinitions::NodesById {
+  std::unordered_map<std::string, pugi::xml_node> map;
+};
+
+InkmlDefinitions::~InkmlDefinitions() = default;
+
+InkmlDefinitions::InkmlDefinitions(const pugi::xml_node& root)
+    : nodes_(std::make_unique<NodesById>()) {
   // A walk without recursion: elements may be nested as deeply as the file is long.
   pugi::xml_node node = root;
   while (node) {
     for (const char* key : {"xml:id", "id"})
-      if (const pugi::xml_attribute id = node.attribute(key)) by_id_.emplace(id.value(), node);
+      if (const pugi::xml_attribute id = node.attribute(key)) nodes_->map.emplace(id.value(), node);
     if (node.first_child()) {
       node = node.first_child();
       continue;
@@ -130,8 +139,8 @@ InkmlDefinitions::InkmlDefinitions(const pugi::xml_node& root) {
 
 pugi::xml_node InkmlDefinitions::find(std::string_view reference) const {
   if (!reference.starts_with('#')) return {};
-  const auto found = by_id_.find(std::string(reference.substr(1)));
-  return found == by_id_.end() ? pugi::xml_node() : found->second;
+  const auto found = nodes_->map.find(std::string(reference.substr(1)));
+  return found == nodes_->map.end() ? pugi::xml_node() : found->second;
 }
 
 bool InkmlDefinitions::apply(const pugi::xml_node& element, InkmlContext& context, int depth,

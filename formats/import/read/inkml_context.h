@@ -1,13 +1,17 @@
 #pragma once
 // What holds for an InkML trace: its channels and its brush. Follows references, never in circles.
 
-#include <pugixml.hpp>
+#include <memory>
 #include <string>
-#include <unordered_map>
+#include <string_view>
 #include <vector>
 
 #include "formats/import/read/inkml_trace.h"
 #include "formats/import/sketch/sketch.h"
+
+namespace pugi {
+class xml_node;
+}
 
 namespace pentimento::sketch {
 
@@ -32,6 +36,7 @@ class InkmlDefinitions {
  public:
   /// Collects all elements that have an id.
   explicit InkmlDefinitions(const pugi::xml_node& root);
+  ~InkmlDefinitions();
 
   /// The element that "#id" names; none if there is none in this file.
   pugi::xml_node find(std::string_view reference) const;
@@ -46,7 +51,8 @@ class InkmlDefinitions {
  private:
   bool apply(const pugi::xml_node& element, InkmlContext& context, int depth, int& left) const;
 
-  std::unordered_map<std::string, pugi::xml_node> by_id_;
+  struct NodesById;
+  std::unique_ptr<NodesById> nodes_;
 };
 
 }  // namespace pentimento::sketch
