@@ -53,9 +53,8 @@ double pigment_of(double opacity) {
 /// Sends events in the order of their times.
 class EventWriter {
  public:
-  EventWriter(const SketchFrame& frame, const LogOptions& options, const TimingOptions& timing,
-              log::Writer& writer)
-      : frame_(frame), options_(options), timing_(timing), writer_(writer) {}
+  EventWriter(const SketchFrame& frame, const TimingOptions& timing, log::Writer& writer)
+      : frame_(frame), timing_(timing), writer_(writer) {}
 
   Result<LogCounts> write(const std::vector<TimedItem>& items) {
     for (const TimedItem& item : items) {
@@ -190,7 +189,6 @@ class EventWriter {
   }
 
   const SketchFrame& frame_;
-  const LogOptions& options_;
   const TimingOptions& timing_;
   log::Writer& writer_;
   LogCounts counts_;
@@ -230,7 +228,7 @@ Result<LogCounts> write_log(const Sketch& sketch, const SketchOrigin& origin,
   timing.unit_per_s = kStrokesPerLength / frame->metre_per_unit;
   const std::vector<TimedItem> items = time_items(sketch, timing);
   writer.write(header_of(sketch, *frame, origin));
-  Result<LogCounts> counts = EventWriter(*frame, options, timing, writer).write(items);
+  Result<LogCounts> counts = EventWriter(*frame, timing, writer).write(items);
   if (!counts) return counts;
   counts->canvas_width_m = frame->canvas_width_m;
   counts->canvas_height_m = frame->canvas_height_m;
