@@ -11,6 +11,7 @@
 #include "cli/range.h"
 #include "cli/signals.h"
 #include "cli/values.h"
+#include "formats/log/edit/spline_fit.h"
 #include "replay/commands/convert.h"
 
 namespace pentimento::cli {
@@ -95,6 +96,8 @@ Result<std::pair<double, double>> parse_canvas(const std::string& text) {
 /// The options of edits that need more than a number.
 struct EditTexts {
   std::string trim, fit;
+  bool as_spline = false;
+  double spline_error_m = log::SplineTolerance().place_m;
 };
 
 void add_edit_options(CLI::App& app, LogEdits& edits, EditTexts& texts,
@@ -118,6 +121,15 @@ void add_edit_options(CLI::App& app, LogEdits& edits, EditTexts& texts,
   app.add_option("--size", edits.size_factor, "on the sizes of brushes (1)")
       ->check(in_range(1e-3, 1e3))
       ->type_name("F");
+  app.add_flag("--as-spline", texts.as_spline,
+               "leave out samples that the curves of the strokes do not need");
+  app.add_option("--spline-error", texts.spline_error_m,
+                 "how far such a curve may be from a sample (0.0005)")
+      ->check(in_range(1e-9, 1))
+      ->type_name("M")
+      ->needs("--as-spline");
+  app.add_option("--merge", edits.merged_log, "another log of this canvas, as a second hand")
+      ->type_name("LOG");
   app.add_option("--gravity", edits.gravity_file,
                  "readings of a sensor: CoreMotion, Android or devicemotion")
       ->type_name("FILE");
@@ -166,6 +178,7 @@ int run_convert(const Arguments& arguments) {
     if (!canvas) return fail(canvas.error());
     job.edits.canvas_m = *canvas;
   }
+  if (texts.as_spline) job.edits.spline_error_m = texts.spline_error_m;
   if (job.edits.longest_idle_s) job.writing.longest_pause_s = *job.edits.longest_idle_s;
 
   job.control = [] {

@@ -21,10 +21,6 @@ constexpr double kShortestTime = 1e-3;  // between samples: devices deliver seve
 double length(double x, double y) {
   return std::sqrt(x * x + y * y);
 }
-/// |(x, y)|^(1/2), the knot distance of the centripetal parameterisation.
-double knot_distance(double x, double y) {
-  return std::sqrt(length(x, y));
-}
 float mix(float a, float b, float u) {
   return a + (b - a) * u;
 }
@@ -108,8 +104,7 @@ void StrokePath::finish(std::vector<Stamp>& out) {
     const TouchSample& a = knot_[1].leave;
     const Segment segment = pending_segment({2 * b.x_m - a.x_m, 2 * b.y_m - a.y_m});
     run(segment, out);
-    const Point m1{segment.m0.x + 2 * segment.c2.x + 3 * segment.c3.x,
-                   segment.m0.y + 2 * segment.c2.y + 3 * segment.c3.y};
+    const Point m1 = segment.curve.end_slope();
     const double m = length(m1.x, m1.y);
     if (m > 0) last.direction = {static_cast<float>(m1.x / m), static_cast<float>(m1.y / m)};
   }
@@ -146,14 +141,7 @@ void StrokePath::add_dab(Stamp stamp, double travel_m, std::vector<Stamp>& out) 
   }
 }
 
-StrokePath::Point StrokePath::Segment::at(double u) const {
-  return {from.x_m + u * (m0.x + u * (c2.x + u * c3.x)),
-          from.y_m + u * (m0.y + u * (c2.y + u * c3.y))};
-}
-
-/// The cubic between the last two knots, `p3` being the place after them. Its end slopes are those
-/// of the non-uniform Catmull-Rom spline: m = h12 [(p1-p0)/h01 - (p2-p0)/(h01+h12) + (p2-p1)/h12],
-/// h the knot distances.
+/// The piece between the last two knots, `p3` being the place after them.
 StrokePath::Segment StrokePath::pending_segment(const Point& p3) const {
   Segment s;
   s.from = knot_[1].leave;
@@ -163,21 +151,8 @@ StrokePath::Segment StrokePath::pending_segment(const Point& p3) const {
   const TouchSample& before = knot_[0].arrive;
   const Point p0 =
       knots_ == 3 ? Point{before.x_m, before.y_m} : Point{2 * p1.x - p2.x, 2 * p1.y - p2.y};
-  const double h01 = knot_distance(p1.x - p0.x, p1.y - p0.y);
-  const double h12 = knot_distance(p2.x - p1.x, p2.y - p1.y);
-  const double h23 = knot_distance(p3.x - p2.x, p3.y - p2.y);
-  const auto start_slope = [&](double a, double b, double c) {
-    return h12 * ((b - a) / h01 - (c - a) / (h01 + h12) + (c - b) / h12);
-  };
-  const auto end_slope = [&](double b, double c, double d) {
-    return h12 * ((c - b) / h12 - (d - b) / (h12 + h23) + (d - c) / h23);
-  };
-  s.m0 = {start_slope(p0.x, p1.x, p2.x), start_slope(p0.y, p1.y, p2.y)};
-  const Point m1{end_slope(p1.x, p2.x, p3.x), end_slope(p1.y, p2.y, p3.y)};
-  const Point d{p2.x - p1.x, p2.y - p1.y};
-  s.c2 = {3 * d.x - 2 * s.m0.x - m1.x, 3 * d.y - 2 * s.m0.y - m1.y};
-  s.c3 = {s.m0.x + m1.x - 2 * d.x, s.m0.y + m1.y - 2 * d.y};
-  s.chord_m = length(d.x, d.y);
+  s.curve = spline_segment(p0, p1, p2, p3);
+  s.chord_m = length(p2.x - p1.x, p2.y - p1.y);
   return s;
 }
 

@@ -1,8 +1,7 @@
 #pragma once
 // The path of one touch as a stream: the device's samples go in, evenly spaced stamps come out.
-//   Curve: centripetal Catmull-Rom through the samples, t_{i+1} = t_i + |p_{i+1} - p_i|^(1/2),
-//   which neither loops nor overshoots between uneven samples (Yuksel, Schaefer, Keyser, CAD 43,
-//   2011); the ends are continued by reflection. Stamps: one each time the arc length grows by
+//   Curve: a centripetal spline through the samples (core/brush/centripetal_spline.h); the ends are
+//   continued by reflection. Stamps: one each time the arc length grows by
 //   `spacing` diameters; what is left over is carried from sample to sample, so that the stamps do
 //   not depend on the device's rate.
 // A segment is final once the sample after its end is known, so stamps come one sample late. The
@@ -10,6 +9,7 @@
 
 #include <vector>
 
+#include "core/brush/centripetal_spline.h"
 #include "core/brush/stamp.h"
 
 namespace pentimento {
@@ -52,16 +52,13 @@ class StrokePath {
   struct Knot {
     TouchSample arrive, leave;  // same place; they differ after a pause
   };
-  struct Point {
-    double x = 0, y = 0;
-  };
-  /// A piece of the path between two samples: position = start + u (m0 + u (c2 + u c3)), u in
-  /// [0,1].
+  using Point = SplinePoint;
+  /// A piece of the path between two samples.
   struct Segment {
     TouchSample from, to;
-    Point m0, c2, c3;
+    SplineSegment curve;
     double chord_m = 0;
-    Point at(double u) const;
+    Point at(double u) const { return curve.at(u); }
   };
 
   struct Span {

@@ -9,7 +9,10 @@ namespace pentimento::sketch {
 namespace {
 constexpr std::array kFormats = {
     Format{"remarkable", "page of a reMarkable tablet", ".rm", is_remarkable, read_remarkable},
+    Format{"tilt-brush", "painting of Tilt Brush or Open Brush", ".tilt", is_tilt_brush,
+           read_tilt_brush},
     Format{"a-painter", "A-Painter painting in space", ".apa", is_a_painter, read_a_painter},
+    Format{"wacom", "Wacom Universal Ink Model", ".uim .json", is_wacom, read_wacom},
     Format{"artrage", "ArtRage script", ".arscript", is_artrage, read_artrage},
     Format{"drawpile", "Drawpile text recording", ".dptxt", is_drawpile, read_drawpile},
     Format{"inkml", "W3C Ink Markup Language", ".inkml", is_inkml, read_inkml},

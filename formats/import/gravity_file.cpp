@@ -106,7 +106,8 @@ Result<std::vector<SensorReading>> read_table(const Source& source, std::string_
     std::array<double, 4> number{};
     for (std::size_t c = 0; c < number.size(); ++c) {
       const std::optional<double> value = number_of(fields[columns[c]]);
-      if (!value) return bad(source, line, fmt::format("'{}' is not a number", fields[columns[c]]));
+      if (!value)
+        return bad(source, line, fmt::format("'{}' is not a number", quotable(fields[columns[c]])));
       number[c] = *value;
     }
     out.push_back({number[0],

@@ -10,6 +10,7 @@
 #include <cstring>
 #include <filesystem>
 #include <system_error>
+#include <utility>
 
 namespace pentimento {
 
@@ -197,6 +198,8 @@ Result<Published> OutputFile::complete(const Check& check) {
     if (!checked) return checked.error();
   }
   complete_sha256_ = *hash;
+  // Many files may wait for their names at once; open ones are limited.
+  ::close(std::exchange(descriptor_, -1));
   return Published{path_, complete_sha256_};
 }
 

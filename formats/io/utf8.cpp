@@ -42,6 +42,21 @@ std::string valid_utf8(std::string_view text) {
   return out;
 }
 
+std::string brief_line(std::string_view text, std::size_t most_bytes) {
+  std::string line(text);
+  std::replace_if(
+      line.begin(), line.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
+  if (line.size() <= most_bytes) return line;
+  const auto continues = [&](std::size_t i) {
+    return i < line.size() && (static_cast<unsigned char>(line[i]) & 0xC0) == 0x80;
+  };
+  std::size_t end = line.size() - most_bytes / 3;
+  std::size_t begin = most_bytes - most_bytes / 3 - 2;
+  while (continues(end)) ++end;
+  while (begin > 0 && continues(begin)) --begin;
+  return line.substr(0, begin) + ".." + line.substr(end);
+}
+
 bool is_plain_ascii(std::string_view text) {
   return std::all_of(text.begin(), text.end(),
                      [](char c) { return c == '\n' || (c >= 0x20 && c <= 0x7E); });

@@ -4,6 +4,7 @@
 
 #include <deque>
 
+#include "formats/io/utf8.h"
 #include "formats/log/json/json_line.h"
 #include "formats/log/json/json_scan.h"
 #include "formats/log/parse/event_parser.h"
@@ -56,6 +57,9 @@ class LogReader : public Reader {
   Result<std::optional<Event>> at_cut(const Line& line);
   std::string header_problem(const Line& line);
 
+  /// Of what is wrong with a line. A name in it may be as long as the line.
+  static constexpr std::size_t kMostMessageBytes = 300;
+
   std::string name_;
   ReaderOptions options_;
   LineSource lines_;
@@ -69,7 +73,8 @@ class LogReader : public Reader {
 
 Error LogReader::located(const Error& error) const {
   if (error.code == ErrorCode::kIo) return error;  // names the file itself
-  return {error.code, fmt::format("{}:{}: {}", name_, lines_.line_number(), error.message)};
+  return {error.code, fmt::format("{}:{}: {}", name_, lines_.line_number(),
+                                  brief_line(error.message, kMostMessageBytes))};
 }
 
 std::string LogReader::header_problem(const Line& line) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -10,10 +11,10 @@
 #include "formats/io/read_file.h"
 #include "formats/io/sha256.h"
 #include "formats/log/edit/editing_writer.h"
+#include "formats/log/edit/origin.h"
 #include "formats/log/json/nearest_name.h"
 #include "formats/log/reader.h"
 #include "formats/log/stream/log_start.h"
-#include "formats/log/write/json_object.h"
 #include "replay/job/report_object.h"
 
 namespace pentimento {
@@ -43,8 +44,50 @@ std::int64_t microseconds(double seconds) {
   return std::llround(seconds * 1e6);
 }
 
-Result<log::Edits> make_edits(const LogEdits& from) {
+std::string file_name(const std::string& path) {
+  return std::filesystem::path(path).filename().string();
+}
+
+/// Steps, undo and redo act on what was done last, by whichever hand.
+Result<void> check_mergeable(const std::string& file, const log::Event& event) {
+  const log::Action& action = event.action;
+  const bool undoes =
+      std::holds_alternative<log::Undo>(action) || std::holds_alternative<log::Redo>(action);
+  if (!undoes && !std::holds_alternative<log::Step>(action)) return {};
+  return Error{ErrorCode::kBadInput, fmt::format("{}: a log with {} cannot be merged with another",
+                                                 file, undoes ? "`undo` or `redo`" : "`step`")};
+}
+
+/// Reads the other log once to find what is wrong with it, and again while it is merged.
+Result<log::OtherLog> open_merged(const std::string& file, const log::ReaderOptions& options) {
+  Result<std::unique_ptr<log::Reader>> opened = log::Reader::open(file, options);
+  if (!opened) return opened.error();
+  const std::shared_ptr<log::Reader> reader = std::move(*opened);
+  while (true) {
+    const Result<std::optional<log::Event>> event = reader->next();
+    if (!event) return event.error();
+    if (!*event) break;
+    if (const Result<void> good = check_mergeable(file, **event); !good) return good.error();
+  }
+  if (const Result<void> back = reader->rewind(); !back) return back.error();
+  log::OtherLog out;
+  out.header = reader->header();
+  out.file = file_name(file);
+  out.sha256 = reader->sha256();
+  out.next = [reader]() -> std::optional<log::Event> {
+    const Result<std::optional<log::Event>> event = reader->next();
+    return event ? *event : std::nullopt;
+  };
+  return out;
+}
+
+Result<log::Edits> make_edits(const LogEdits& from, const log::ReaderOptions& reading) {
   log::Edits out;
+  if (!from.merged_log.empty()) {
+    Result<log::OtherLog> merged = open_merged(from.merged_log, reading);
+    if (!merged) return merged.error();
+    out.merged = std::move(*merged);
+  }
   if (!from.gravity_file.empty()) {
     const Result<std::string> bytes = read_file(from.gravity_file, kMostBytes);
     if (!bytes) return bytes.error();
@@ -60,6 +103,10 @@ Result<log::Edits> make_edits(const LogEdits& from) {
   out.resample_hz = from.resample_hz;
   out.canvas_m = from.canvas_m;
   out.size_factor = from.size_factor;
+  if (from.spline_error_m) {
+    out.spline.emplace();
+    out.spline->place_m = *from.spline_error_m;
+  }
   return out;
 }
 
@@ -83,7 +130,7 @@ class StoppableWriter : public log::Writer {
 };
 
 Result<std::unique_ptr<log::EditingWriter>> open_output(const ConvertJob& job) {
-  Result<log::Edits> edits = make_edits(job.edits);
+  Result<log::Edits> edits = make_edits(job.edits, job.log_reading);
   if (!edits) return edits.error();
   Control control = job.control ? job.control() : Control();
   Result<std::unique_ptr<log::Writer>> file =
@@ -93,8 +140,12 @@ Result<std::unique_ptr<log::EditingWriter>> open_output(const ConvertJob& job) {
       std::move(*edits), std::make_unique<StoppableWriter>(std::move(control), std::move(*file)));
 }
 
-std::string file_name(const std::string& path) {
-  return std::filesystem::path(path).filename().string();
+bool undoes(const sketch::Sketch& drawing) {
+  return std::any_of(drawing.items.begin(), drawing.items.end(), [](const sketch::Item& item) {
+    const auto* action = std::get_if<sketch::SketchAction>(&item);
+    return action != nullptr &&
+           (*action == sketch::SketchAction::kUndo || *action == sketch::SketchAction::kRedo);
+  });
 }
 
 Result<void> convert_recording(const ConvertJob& job, ConvertFacts& facts,
@@ -105,6 +156,9 @@ Result<void> convert_recording(const ConvertJob& job, ConvertFacts& facts,
   if (!format) return format.error();
   const Result<sketch::Sketch> drawing = (*format)->read({job.input, *bytes}, job.reading);
   if (!drawing) return drawing.error();
+  if (!job.edits.merged_log.empty() && undoes(*drawing))
+    return Error{ErrorCode::kBadInput,
+                 job.input + ": a recording with `undo` or `redo` cannot be merged with another"};
   Result<std::unique_ptr<log::EditingWriter>> output = open_output(job);
   if (!output) return output.error();
   writer = std::move(*output);
@@ -120,17 +174,6 @@ Result<void> convert_recording(const ConvertJob& job, ConvertFacts& facts,
   return {};
 }
 
-/// Names the source in the header, beside what it was made from before.
-void add_origin(log::Header& header, const std::string& file, const std::string& sha256) {
-  log::JsonObject origin;
-  origin.text("file", file).text("sha256", sha256);
-  std::string key = "x-edited";
-  for (int n = 2; header.extensions.find('"' + key + '"') != std::string::npos; ++n)
-    key = fmt::format("x-edited-{}", n);
-  if (!header.extensions.empty()) header.extensions += ',';
-  header.extensions += '"' + key + "\":" + origin.close();
-}
-
 Result<void> convert_log(const ConvertJob& job, ConvertFacts& facts,
                          std::unique_ptr<log::EditingWriter>& writer) {
   Result<std::unique_ptr<log::Reader>> reader = log::Reader::open(job.input, job.log_reading);
@@ -142,6 +185,8 @@ Result<void> convert_log(const ConvertJob& job, ConvertFacts& facts,
     if (!event) return event.error();
     if (!*event) break;
     const log::Action& action = (*event)->action;
+    if (!job.edits.merged_log.empty())
+      if (const Result<void> good = check_mergeable(job.input, **event); !good) return good;
     names_files |=
         std::holds_alternative<log::Load>(action) || std::holds_alternative<log::Camera>(action);
     const auto* touch = std::get_if<log::Touch>(&action);
@@ -156,7 +201,7 @@ Result<void> convert_log(const ConvertJob& job, ConvertFacts& facts,
   facts.format = kLogName;
   facts.canvas_width_m = job.edits.canvas_m ? job.edits.canvas_m->first : header.canvas_width_m;
   facts.canvas_height_m = job.edits.canvas_m ? job.edits.canvas_m->second : header.canvas_height_m;
-  add_origin(header, file_name(job.input), (*reader)->sha256());
+  log::name_origin(header, "x-edited", file_name(job.input), (*reader)->sha256());
   writer->write(header);
   if (auto back = (*reader)->rewind(); !back) return back;
   while (true) {

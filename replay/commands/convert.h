@@ -17,6 +17,7 @@ namespace pentimento {
 
 /// What is done to the log before it is written, in this order.
 struct LogEdits {
+  std::string merged_log;    // painted at the same time; empty: none
   std::string gravity_file;  // replaces gravity; empty: none
   sketch::GravityOptions gravity;
   std::optional<std::pair<double, double>> trim_s;  // from, to
@@ -25,6 +26,7 @@ struct LogEdits {
   std::optional<double> resample_hz;
   std::optional<std::pair<double, double>> canvas_m;  // width, height
   double size_factor = 1;
+  std::optional<double> spline_error_m;  // samples that strokes do not need are left out
 };
 
 struct ConvertJob {

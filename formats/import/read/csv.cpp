@@ -102,7 +102,8 @@ class CsvReader {
         // Without names the first two columns are places, unless the map says otherwise.
         if (f <= kY && width_ > f) at_[f] = static_cast<int>(f);
         if (f > kY && !name.empty())
-          return fail(fmt::format("the columns have no names; '{}' must be a number", name));
+          return fail(
+              fmt::format("the columns have no names; '{}' must be a number", quotable(name)));
         continue;
       }
       for (std::size_t c = 0; c < names.size() && at_[f] < 0; ++c) {
@@ -112,7 +113,8 @@ class CsvReader {
         const bool open = name.empty() || name == kUsualNames[f].front();
         if (same_name(names[c], name) || (open && usual)) at_[f] = static_cast<int>(c);
       }
-      if (at_[f] < 0 && !name.empty()) return fail(fmt::format("no column is called '{}'", name));
+      if (at_[f] < 0 && !name.empty())
+        return fail(fmt::format("no column is called '{}'", quotable(name)));
     }
     return true;
   }
@@ -125,7 +127,7 @@ class CsvReader {
   double number(const std::vector<std::string_view>& row, CsvField field, double otherwise) {
     if (!has(field)) return otherwise;
     const std::optional<double> value = number_of(text(row, field));
-    if (!value) fail(fmt::format("'{}' is not a number", text(row, field)));
+    if (!value) fail(fmt::format("'{}' is not a number", quotable(text(row, field))));
     return value.value_or(otherwise);
   }
   double in_range(const std::vector<std::string_view>& row, CsvField field, double least,
@@ -150,15 +152,20 @@ class CsvReader {
     const double width = number(row, kWidth, 0);
     const bool down = number(row, kPen, 1) != 0;
     if (width < 0) fail(fmt::format("width {} is negative", width));
-    if (any_ && s.time_s < last_s_) fail(fmt::format("time {} runs back", number(row, kTime, 0)));
+    // Two hands may have painted at once: a stroke may begin before the last one ended.
+    const bool next_stroke = has(kStroke) && any_ && text(row, kStroke) != name_;
+    if (any_ && !next_stroke && s.time_s < last_s_)
+      fail(fmt::format("time {} runs back", number(row, kTime, 0)));
     if (!problem_.empty()) return false;
     const bool gap =
         !has(kStroke) && !has(kPen) && !has(kPressure) && any_ && s.time_s - last_s_ > kGap_s;
-    if (gap || (has(kStroke) && any_ && text(row, kStroke) != name_)) finish_stroke();
+    if (gap || next_stroke) finish_stroke();
     any_ = true;
     last_s_ = s.time_s;
     if (has(kStroke)) name_ = text(row, kStroke);
-    if (!down || (has(kPressure) && !has(kPen) && s.pressure == 0)) return finish_stroke();
+    // Without another column that says it, a pen that does not press is up.
+    const bool hovers = has(kPressure) && !has(kPen) && !has(kStroke) && s.pressure == 0;
+    if (!down || hovers) return finish_stroke();
     stroke_.width = std::max(stroke_.width, width);
     stroke_.samples.push_back(s);
     return !has(kColor) || set_color(text(row, kColor));
@@ -168,7 +175,7 @@ class CsvReader {
   bool set_color(std::string_view words) {
     if (stroke_.samples.size() > 1) return true;
     const std::optional<CssColor> color = css_color(words);
-    if (!color) return fail(fmt::format("'{}' is not a colour", words));
+    if (!color) return fail(fmt::format("'{}' is not a colour", quotable(words)));
     stroke_.color = color->linear;
     stroke_.opacity = color->opacity;
     return true;

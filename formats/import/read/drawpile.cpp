@@ -14,6 +14,7 @@
 
 #include "formats/import/read/css_color.h"
 #include "formats/import/read/readers.h"
+#include "formats/import/sketch/layers.h"
 #include "formats/import/sketch/text_rows.h"
 
 namespace pentimento::sketch {
@@ -264,6 +265,8 @@ class DrawpileReader {
     }
     if (page_.width > 0) sketch_.page = page_;
     sketch_.report.kept = {"places", "colour", "opacity", "eraser", "undo by user"};
+    if (paint_layer_by_layer(sketch_) > 1)
+      sketch_.report.kept.emplace_back("layers, each dry before the next");
     sketch_.report.guessed = {"pressure from the sizes of dabs", "times"};
     const auto drop = [&](int count, std::string_view what) {
       if (count > 0) sketch_.report.dropped.push_back(fmt::format("{} {}", count, what));

@@ -193,6 +193,8 @@ class InkmlReader {
       }
       last_s_ = std::max(last_s_, before_s);
     }
+    any_color_ |= stroke.color != log::Rgb{0, 0, 0};
+    any_width_ |= stroke.width > 0;
     any_pressure_ |= stroke.has_pressure;
     any_tilt_ |= stroke.has_tilt;
     any_time_ |= stroke.timed;
@@ -238,7 +240,9 @@ class InkmlReader {
           s.pressure = std::min(1.0f, s.pressure / static_cast<float>(most_force_));
       sketch_.report.guessed.push_back("pressure 1 is the greatest force");
     }
-    sketch_.report.kept = {"places", "colour", "width"};
+    sketch_.report.kept = {"places"};
+    if (any_color_) sketch_.report.kept.push_back("colour");
+    if (any_width_) sketch_.report.kept.push_back("width");
     if (any_time_) sketch_.report.kept.push_back("times");
     if (any_pressure_) sketch_.report.kept.push_back("pressure");
     if (any_tilt_) sketch_.report.kept.push_back("tilt");
@@ -258,6 +262,7 @@ class InkmlReader {
   std::unordered_map<std::string, std::size_t> ends_;  // id of a trace to the stroke it is part of
   double most_force_ = 0, last_s_ = 0;
   int hovers_ = 0, views_ = 0, from_zero_ = 0;
+  bool any_color_ = false, any_width_ = false;
   bool any_pressure_ = false, any_tilt_ = false, any_time_ = false;
 };
 }  // namespace

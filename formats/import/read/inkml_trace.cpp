@@ -7,6 +7,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "formats/import/sketch/text_rows.h"
+
 namespace pentimento::sketch {
 
 namespace {
@@ -81,7 +83,7 @@ class Points {
       if (!problem.empty()) return problem;
     }
     if (i < channels_.size() && !channels_[i].intermittent)
-      return fmt::format("{} values, no {}", i, channels_[i].name);
+      return fmt::format("{} values, no {}", i, quotable(channels_[i].name));
     skip_blanks();
     return {};
   }

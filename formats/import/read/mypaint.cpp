@@ -47,7 +47,8 @@ Result<Sketch> read_mypaint(const Source& source, const ReadOptions&) {
     double value[kColumns];
     for (std::size_t i = 0; i < kColumns; ++i) {
       const std::optional<double> number = number_of(words[i]);
-      if (!number) return bad_row(source, line, fmt::format("'{}' is not a number", words[i]));
+      if (!number)
+        return bad_row(source, line, fmt::format("'{}' is not a number", quotable(words[i])));
       value[i] = *number;
     }
     const auto [time_s, x, y, pressure] = value;

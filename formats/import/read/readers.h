@@ -33,6 +33,12 @@ Result<Sketch> read_csv(const Source& source, const ReadOptions& options);
 bool is_a_painter(std::string_view bytes);
 Result<Sketch> read_a_painter(const Source& source, const ReadOptions& options);
 
+bool is_wacom(std::string_view bytes);
+Result<Sketch> read_wacom(const Source& source, const ReadOptions& options);
+
+bool is_tilt_brush(std::string_view bytes);
+Result<Sketch> read_tilt_brush(const Source& source, const ReadOptions& options);
+
 bool is_remarkable(std::string_view bytes);
 Result<Sketch> read_remarkable(const Source& source, const ReadOptions& options);
 

@@ -12,6 +12,8 @@
 #include "formats/import/read/readers.h"
 #include "formats/import/read/remarkable_blocks.h"
 #include "formats/import/read/remarkable_pens.h"
+#include "formats/import/sketch/layers.h"
+#include "formats/import/sketch/text_rows.h"
 
 namespace pentimento::sketch {
 
@@ -66,7 +68,8 @@ Result<Sketch> read_remarkable(const Source& source, const ReadOptions&) {
   if (!in.ok()) return in.error();
   const int version = head[kMagic.size()] - '0';
   if (version != 3 && version != 5 && version != 6) {
-    in.fail(fmt::format("version {} is not known, only 3, 5 and 6", head[kMagic.size()]));
+    in.fail(fmt::format("version {} is not known, only 3, 5 and 6",
+                        quotable(head.substr(kMagic.size(), 1))));
     return in.error();
   }
   Result<RemarkableScene> scene =
@@ -76,10 +79,12 @@ Result<Sketch> read_remarkable(const Source& source, const ReadOptions&) {
   sketch.page = page_of(*scene, version == 6);
   sketch.report.kept = {"places", "pressure", "width", "colour", "eraser"};
   sketch.report.guessed = {"times", "brushes, from the pens"};
-  sketch.report.dropped = {"speed", "layers, painted one after another"};
+  sketch.report.dropped = {"speed"};
   if (scene->deleted > 0)
     sketch.report.dropped.push_back(fmt::format("{} deleted lines", scene->deleted));
   for (Stroke& stroke : scene->strokes) sketch.items.emplace_back(std::move(stroke));
+  if (paint_layer_by_layer(sketch) > 1)
+    sketch.report.kept.emplace_back("layers, each dry before the next");
   return sketch;
 }
 

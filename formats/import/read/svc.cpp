@@ -37,7 +37,8 @@ Result<std::array<double, kColumns>> numbers_of(const Source& source, int line,
     return bad_row(source, line, fmt::format("{} columns, a row has 7", words.size()));
   for (std::size_t i = 0; i < kColumns; ++i) {
     const std::optional<double> number = number_of(words[i]);
-    if (!number) return bad_row(source, line, fmt::format("'{}' is not a number", words[i]));
+    if (!number)
+      return bad_row(source, line, fmt::format("'{}' is not a number", quotable(words[i])));
     out[i] = *number;
   }
   return out;

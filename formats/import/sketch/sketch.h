@@ -30,7 +30,9 @@ struct Stroke {
   std::vector<Sample> samples;  // at least one; times do not run back
   bool timed = false;           // the samples' times are the source's
   bool has_pressure = false, has_tilt = false, has_twist = false;
-  double width = 0;            // at full pressure; 0: the source does not say
+  double width = 0;  // at full pressure; 0: the source does not say
+  /// Of the width, at no pressure; none: the brush's own.
+  std::optional<double> width_share_unpressed = {};
   log::Rgb color = {0, 0, 0};  // linear light
   double opacity = 1;          // 0..1
   BrushKind brush = BrushKind::kRound;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "formats/import/sketch/sketch_frame.h"
@@ -20,29 +21,53 @@ constexpr int kMostAtOnce = 64;
 constexpr double kPaperFree = 0.9;        // reflectance of the paper where the source names none
 constexpr double kCoveringPigment = 0.7;  // the slider's default: covers in one pass
 
-const char* name_of(BrushKind brush) {
+/// The built-in brush of that shape.
+const char* shape_of(BrushKind brush) {
   switch (brush) {
     case BrushKind::kFlat:
       return "flat";
     case BrushKind::kBristle:
       return "bristle";
     case BrushKind::kRigger:
-      return "fine pen";
+      return "rigger";
     case BrushKind::kRound:
       break;
   }
-  return "pen";
+  return "round";
 }
 
-/// Round brushes that never run dry, as what drew the recording did not.
-std::vector<log::BrushSpec> pens() {
-  std::vector<log::BrushSpec> out(2);
-  out[0].name = "pen";
-  out[0].shape = "round";
-  out[1].name = "fine pen";
-  out[1].shape = "rigger";
-  for (log::BrushSpec& pen : out) pen.capacity = log::kCapacityRange.max;
-  return out;
+bool is_pen(BrushKind brush) {
+  return brush == BrushKind::kRound || brush == BrushKind::kRigger;
+}
+
+/// What the log calls the brush of a stroke: "pen", "fine pen 0.2", "flat 0.5".
+std::string name_of(const Stroke& stroke) {
+  std::string name = stroke.brush == BrushKind::kRound    ? "pen"
+                     : stroke.brush == BrushKind::kRigger ? "fine pen"
+                                                          : shape_of(stroke.brush);
+  if (stroke.width_share_unpressed) name += fmt::format(" {:g}", *stroke.width_share_unpressed);
+  return name;
+}
+
+/// The brushes that the log has to bring: pens, which never run dry, as what drew the recording
+/// did not; and those whose width answers pressure in a way of their own.
+std::vector<log::BrushSpec> brushes_of(const Sketch& sketch) {
+  std::map<std::string, log::BrushSpec> out;
+  for (const Item& item : sketch.items) {
+    const auto* stroke = std::get_if<Stroke>(&item);
+    if (stroke == nullptr || stroke->erases) continue;
+    if (!is_pen(stroke->brush) && !stroke->width_share_unpressed) continue;
+    log::BrushSpec& brush = out[name_of(*stroke)];
+    brush.shape = shape_of(stroke->brush);
+    if (is_pen(stroke->brush)) brush.capacity = log::kCapacityRange.max;
+    if (stroke->width_share_unpressed) brush.size_pressure = 1 - *stroke->width_share_unpressed;
+  }
+  std::vector<log::BrushSpec> list;
+  for (auto& [name, brush] : out) {
+    brush.name = name;
+    list.push_back(std::move(brush));
+  }
+  return list;
 }
 
 /// The slider `pigment` of paint of that opacity.
@@ -148,7 +173,7 @@ class EventWriter {
 
   /// Brush, size, colour and thinness, as far as they are others than before.
   void prepare(double time_s, const Stroke& stroke) {
-    const char* brush = stroke.erases ? "rag" : name_of(stroke.brush);
+    const std::string brush = stroke.erases ? "rag" : name_of(stroke);
     if (brush_ != brush) send(time_s, log::BrushChange{brush_ = brush});
     const double longer = std::max(frame_.canvas_width_m, frame_.canvas_height_m);
     const double width_m =
@@ -207,7 +232,7 @@ log::Header header_of(const Sketch& sketch, const SketchFrame& frame, const Sket
   header.grid_width = frame.grid_width;
   header.grid_height = frame.grid_height;
   header.paper.reflectance = sketch.paper.value_or(log::Rgb{kPaperFree, kPaperFree, kPaperFree});
-  header.brushes = pens();
+  header.brushes = brushes_of(sketch);
   header.title = sketch.title;
   header.author = sketch.author;
   header.recorded_by = sketch.recorded_by;

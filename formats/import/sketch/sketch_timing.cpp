@@ -72,7 +72,7 @@ class Schedule {
 
 bool same_settings(const Stroke& a, const Stroke& b) {
   return a.brush == b.brush && a.color == b.color && a.width == b.width && a.opacity == b.opacity &&
-         a.erases == b.erases;
+         a.erases == b.erases && a.width_share_unpressed == b.width_share_unpressed;
 }
 
 std::vector<TimedItem> time_items(const Sketch& sketch, const TimingOptions& options) {

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -62,6 +63,15 @@ inline std::optional<double> number_of(std::string_view text) {
   if (problem != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
     return {};
   return value;
+}
+
+/// Text of a file for a message of one line: no more than `most` bytes of it, and of those that
+/// cannot be printed only that there are some.
+inline std::string quotable(std::string_view text, std::size_t most = 40) {
+  std::string out(text.substr(0, most));
+  for (char& c : out)
+    if (c < ' ' || c > '~') c = '?';
+  return text.size() > most ? out + ".." : out;
 }
 
 /// Without a byte order mark.

@@ -2,7 +2,11 @@
 
 #include <utility>
 
+#include "formats/log/edit/as_spline.h"
 #include "formats/log/edit/merge_gravity.h"
+#include "formats/log/edit/merge_headers.h"
+#include "formats/log/edit/merge_log.h"
+#include "formats/log/edit/origin.h"
 #include "formats/log/edit/pace.h"
 #include "formats/log/edit/resample.h"
 #include "formats/log/edit/trim.h"
@@ -61,24 +65,34 @@ void EditingWriter::put_before(Arguments&&... arguments) {
 
 void EditingWriter::write(const Header& header) {
   Header edited = header;
+  if (edits_.merged) {
+    if (const Result<void> merged = merge_headers(edited, edits_.merged->header); !merged) {
+      problem_ = Error{merged.error().code, edits_.merged->file + ": " + merged.error().message};
+      return;
+    }
+    name_origin(edited, "x-merged", edits_.merged->file, edits_.merged->sha256);
+  }
   Refit refit;
   if (edits_.canvas_m) refit = fit_header(edited, edits_.canvas_m->first, edits_.canvas_m->second);
   refit.size_factor = edits_.size_factor;
   inner_->write(edited);
   // From the last edit to the first.
+  if (edits_.spline) put_before<AsSpline>(*edits_.spline);
   put_before<Refitted>(refit);
   if (edits_.resample_hz) put_before<Resample>(*edits_.resample_hz);
   if (edits_.speed != 1) put_before<Speed>(edits_.speed);
   if (edits_.longest_idle_us) put_before<DropIdle>(*edits_.longest_idle_us);
   if (edits_.trim_us) put_before<Trim>(edits_.trim_us->first, edits_.trim_us->second);
   if (!edits_.gravity.empty()) put_before<MergeGravity>(std::move(edits_.gravity));
+  if (edits_.merged) put_before<MergeLog>(header, edits_.merged->header, edits_.merged->next);
 }
 
 void EditingWriter::write(const Event& event) {
-  filters_.back()->take(event);
+  if (!problem_) filters_.back()->take(event);
 }
 
 Result<Published> EditingWriter::finish() {
+  if (problem_) return *problem_;
   for (auto filter = filters_.rbegin(); filter != filters_.rend(); ++filter) (*filter)->finish();
   return inner_->finish();
 }

@@ -2,19 +2,30 @@
 // A writer of logs that edits what it is given.
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "formats/log/edit/event_filter.h"
 #include "formats/log/edit/refit.h"
+#include "formats/log/edit/spline_fit.h"
 #include "formats/log/write/writer.h"
 
 namespace pentimento::log {
 
+/// Another log of the same canvas.
+struct OtherLog {
+  Header header;
+  std::function<std::optional<Event>()> next;  // nothing at the end
+  std::string file, sha256;                    // for the header: x-merged
+};
+
 /// What is done to a log, in this order.
 struct Edits {
+  std::optional<OtherLog> merged;
   std::vector<Event> gravity;  // replaces the log's, if there is any
   std::optional<std::pair<std::int64_t, std::int64_t>> trim_us;
   std::optional<std::int64_t> longest_idle_us;
@@ -22,6 +33,7 @@ struct Edits {
   std::optional<double> resample_hz;                  // > 0
   std::optional<std::pair<double, double>> canvas_m;  // width, height
   double size_factor = 1;                             // > 0, on the sizes of brushes
+  std::optional<SplineTolerance> spline;
 };
 
 /// Wraps `inner`, which gets header and events as they are after the edits.
@@ -30,7 +42,8 @@ class EditingWriter : public Writer {
   EditingWriter(Edits edits, std::unique_ptr<Writer> inner);
   void write(const Header& header) override;
   void write(const Event& event) override;
-  /// Hands on what filters keep back, then ends the file.
+  /// Hands on what filters keep back, then ends the file. Errors: those of the file; kBadInput, if
+  /// the other log's header cannot be merged.
   Result<Published> finish() override;
 
   std::int64_t events() const { return events_; }
@@ -42,6 +55,7 @@ class EditingWriter : public Writer {
   EventSink first() const;
 
   Edits edits_;
+  std::optional<Error> problem_;  // what is written after it is lost
   std::unique_ptr<Writer> inner_;
   std::vector<std::unique_ptr<EventFilter>> filters_;  // the last one is the first to see an event
   std::int64_t events_ = 0, last_us_ = 0;

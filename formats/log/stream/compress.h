@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <span>
+#include <string_view>
 
 #include "formats/io/output_file.h"
 
@@ -16,9 +17,15 @@ class ByteSink {
   virtual void end() = 0;
 };
 
+enum class Compression { kNone, kGzip, kZstd };
+
+/// The compression that the end of the name asks for: .gz, .zst, else none.
+Compression compression_of(std::string_view path);
+
 // Each sink writes into `file`, which must outlive it.
 std::unique_ptr<ByteSink> gzip_sink(OutputFile& file);
 /// With the frame's checksum.
 std::unique_ptr<ByteSink> zstd_sink(OutputFile& file);
+std::unique_ptr<ByteSink> open_sink(OutputFile& file, Compression compression);
 
 }  // namespace pentimento::log

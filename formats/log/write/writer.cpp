@@ -8,28 +8,6 @@ namespace pentimento::log {
 
 namespace {
 
-class PlainSink : public ByteSink {
- public:
-  explicit PlainSink(OutputFile& file) : file_(file) {}
-  void write(std::span<const char> bytes) override { file_.write(bytes.data(), bytes.size()); }
-  void end() override {}
-
- private:
-  OutputFile& file_;
-};
-
-std::unique_ptr<ByteSink> open_sink(OutputFile& file, Compression compression) {
-  switch (compression) {
-    case Compression::kGzip:
-      return gzip_sink(file);
-    case Compression::kZstd:
-      return zstd_sink(file);
-    case Compression::kNone:
-      break;
-  }
-  return std::make_unique<PlainSink>(file);
-}
-
 class LogWriter : public Writer {
  public:
   LogWriter(std::unique_ptr<OutputFile> file, Compression compression)
@@ -53,12 +31,6 @@ class LogWriter : public Writer {
 };
 
 }  // namespace
-
-Compression compression_of(std::string_view path) {
-  if (path.ends_with(".gz")) return Compression::kGzip;
-  if (path.ends_with(".zst")) return Compression::kZstd;
-  return Compression::kNone;
-}
 
 Result<std::unique_ptr<Writer>> Writer::create(const std::string& path, Compression compression,
                                                bool no_clobber) {

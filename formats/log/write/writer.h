@@ -4,18 +4,13 @@
 
 #include <memory>
 #include <string>
-#include <string_view>
 
 #include "core/base/result.h"
 #include "formats/io/picture_file.h"
+#include "formats/log/stream/compress.h"
 #include "formats/log/tables/events.h"
 
 namespace pentimento::log {
-
-enum class Compression { kNone, kGzip, kZstd };
-
-/// The compression that the end of the name asks for: .gz, .zst, else none.
-Compression compression_of(std::string_view path);
 
 class Writer {
  public:

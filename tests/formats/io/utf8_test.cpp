@@ -23,5 +23,23 @@ TEST(ValidUtf8, ReplacesEachByteOfWhatIsNoCharacter) {
   EXPECT_EQ(valid_utf8(std::string_view("a\0b", 3)), "a" + kBad + "b");
 }
 
+TEST(BriefLine, KeepsBothEndsAndNoPartOfACharacter) {
+  EXPECT_EQ(brief_line("123456789", 9), "123456789");
+  EXPECT_EQ(brief_line("0123456789abcdef", 9), "0123..def");
+  EXPECT_EQ(brief_line("012\xC3\xA9"
+                       "456789abc\xC3\xA9"
+                       "f",
+                       9),
+            "012..\xC3\xA9"
+            "f");
+  EXPECT_EQ(brief_line("0123456789abcd\xC3\xA9"
+                       "f",
+                       8),
+            "0123..f")
+      << "cut within a character";
+  EXPECT_EQ(brief_line("a\nb\x1f", 9), "a b ");
+  EXPECT_EQ(brief_line(std::string(1000, 'a'), 300).size(), 300U);
+}
+
 }  // namespace
 }  // namespace pentimento

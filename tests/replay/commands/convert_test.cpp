@@ -62,6 +62,50 @@ TEST(Convert, ALogStaysTheSamePaintingAndIsNamed) {
   EXPECT_NEAR(twice->summary.duration_s(), before->summary.duration_s() / 2, 1e-6);
 }
 
+TEST(Convert, TwoLogsBecomeOneThatNamesBoth) {
+  const test::JobFolder folder(test::kSmallLog);
+  folder.write("b.jsonl", test::small_header() + R"({"t":0.1,"type":"brush","name":"flat"}
+{"t":0.2,"type":"touch","phase":"down","x":0.3,"y":0.2,"pressure":0.5}
+{"t":0.4,"type":"touch","phase":"move","x":0.35,"y":0.25,"pressure":0.5}
+{"t":30,"type":"touch","phase":"up","x":0.35,"y":0.2}
+)");
+  ConvertJob merge = job(folder, "a.jsonl");
+  merge.edits.merged_log = folder.path("b.jsonl");
+  const auto done = convert(merge);
+  ASSERT_TRUE(done) << done.error().message;
+  const auto a = validate_log(folder.path("a.jsonl"), {}),
+             b = validate_log(folder.path("b.jsonl"), {});
+  const auto both = validate_log(folder.path("out.jsonl"), {});
+  ASSERT_TRUE(a && b && both) << both.error().message;
+  EXPECT_EQ(both->summary.strokes, a->summary.strokes + b->summary.strokes);
+  EXPECT_GE(both->summary.duration_s(), 30);
+  EXPECT_EQ(both->header.extensions,
+            R"("x-edited":{"file":"a.jsonl","sha256":")" + a->summary.sha256 +
+                R"("},"x-merged":{"file":"b.jsonl","sha256":")" + b->summary.sha256 + "\"}");
+}
+
+TEST(Convert, RefusesToMergeWhatUndoes) {
+  const test::JobFolder folder(test::kSmallLog);
+  folder.write("undo.jsonl", test::kSmallLog + "{\"t\":60,\"type\":\"undo\"}\n");
+  std::string wide = test::kSmallLog;
+  wide.replace(wide.find("\"width\":0.4"), 11, "\"width\":0.8");
+  folder.write("wide.jsonl", wide);
+  const auto error = [&](const std::string& in, const std::string& other) {
+    ConvertJob merge = job(folder, in);
+    merge.edits.merged_log = folder.path(other);
+    const auto done = convert(merge);
+    EXPECT_NE(test::run("test -e " + folder.path("out.jsonl")).first, 0);
+    return done ? "none" : done.error().message;
+  };
+  const std::string problem =
+      "undo.jsonl: a log with `undo` or `redo` cannot be merged with another";
+  EXPECT_EQ(error("a.jsonl", "undo.jsonl"), folder.path(problem));
+  EXPECT_EQ(error("undo.jsonl", "a.jsonl"), folder.path(problem));
+  EXPECT_EQ(error("a.jsonl", "wide.jsonl"),
+            "wide.jsonl: the canvas is 0.4 x 0.3 m, the other log's 0.8 x 0.3 m; a copy made with "
+            "--fit can be merged");
+}
+
 TEST(Convert, AJobThatIsToldToStopLeavesNothing) {
   const test::JobFolder folder(test::kSmallLog);
   const std::atomic<bool> stop = true;

@@ -66,6 +66,16 @@ TEST(Csv, StrokesEndWhereThePenIsUpOrThePressureIsZeroOrTimePasses) {
   EXPECT_EQ(read("1,1\n2,2\n")->items.size(), 1u);  // no names
 }
 
+TEST(Csv, StrokesOfTheirOwnNumbersMayOverlapAndHoverNowhere) {
+  const Result<Sketch> sketch =
+      read("stroke,t,x,y,pressure\n1,0,1,1,0\n1,5,2,2,0.5\n1,6,3,3,0\n2,4,7,7,0.1\n2,7,8,8,0.2\n");
+  ASSERT_TRUE(sketch) << sketch.error().message;
+  ASSERT_EQ(sketch->items.size(), 2u);
+  EXPECT_EQ(stroke(sketch, 0).samples.size(), 3u) << "a light touch is of the stroke";
+  EXPECT_EQ(stroke(sketch, 1).samples[0].time_s, 4);
+  EXPECT_EQ(read("stroke,t,x,y\n1,5,1,1\n1,4,2,2\n").error().message, "a.csv:3: time 4 runs back");
+}
+
 TEST(Csv, SaysWhatIsWrongAndWhere) {
   const std::pair<const char*, const char*> bad[] = {
       {"x,y\n1,2\n3\n", "a.csv:3: 1 columns, the first line has 2"},

@@ -84,8 +84,8 @@ TEST(Drawpile, KeepsEraserLayersAndOpacity) {
            dabs(1, 1, "svg:dst-out", "a") + dabs(1, 2, "1", "b", "#80ff0000") +
            dabs(1, 3, "1", "c", "#00ff0000"));
   ASSERT_TRUE(sketch) << sketch.error().message;
-  ASSERT_EQ(sketch->items.size(), 3u);
-  const auto stroke = [&](std::size_t i) { return std::get<Stroke>(sketch->items[i]); };
+  ASSERT_EQ(sketch->items.size(), 5u) << "each layer dries before the next";
+  const auto stroke = [&](std::size_t i) { return std::get<Stroke>(sketch->items[2 * i]); };
   EXPECT_TRUE(stroke(0).erases);
   EXPECT_EQ(stroke(0).layer, 0);
   EXPECT_EQ(stroke(1).layer, 1);

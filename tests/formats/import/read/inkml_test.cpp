@@ -162,5 +162,16 @@ TEST(InkMl, NoDamageDoesHarm) {
   expect_no_harm_by_damage("inkml", "<ink>" + kRich + "</ink>", 3000);
 }
 
+TEST(InkMl, TellsWhatIsKeptAsFarAsItIsThere) {
+  const auto kept = [](const std::string& text) {
+    return read_inkml({"a.inkml", text}, {})->report.kept;
+  };
+  EXPECT_EQ(kept("<ink><trace>1 1, 2 2</trace></ink>"), (std::vector<std::string>{"places"}));
+  EXPECT_EQ(kept(R"(<ink><definitions><brush xml:id="b"><brushProperty name="width" value="2"/>)"
+                 R"(<brushProperty name="color" value="#FF8000"/></brush></definitions>)"
+                 R"(<trace brushRef="#b">1 1, 2 2</trace></ink>)"),
+            (std::vector<std::string>{"places", "colour", "width"}));
+}
+
 }  // namespace
 }  // namespace pentimento::sketch

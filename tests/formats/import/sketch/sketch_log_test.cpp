@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "formats/log/write/to_json.h"
 
 namespace pentimento::sketch {
@@ -54,6 +56,33 @@ TEST(SketchLog, WritesBrushSizeAndColourOnceAndThenTheSamples) {
       R"({"t":3,"type":"touch","phase":"move","x":0.2,"y":0.2})",
       R"({"t":3,"type":"touch","phase":"up","x":0.2,"y":0.2})"};
   EXPECT_EQ(out.lines, expected);
+}
+
+TEST(SketchLog, BringsTheBrushesThatItUsesAndNoOthers) {
+  Lines out;
+  Stroke pen = line(1, 0, 1), soft = line(2, 2, 3), flat = line(3, 4, 5), bristle = line(4, 6, 7);
+  soft.width_share_unpressed = 0.2;
+  flat.brush = BrushKind::kFlat;
+  flat.width_share_unpressed = 1;
+  bristle.brush = BrushKind::kBristle;
+  ASSERT_TRUE(write_log(on_page({pen, soft, flat, bristle}), {}, {}, out));
+  ASSERT_EQ(out.head.brushes.size(), 3u) << "bristle is built in";
+  EXPECT_EQ(out.head.brushes[0].name, "flat 1");
+  EXPECT_EQ(out.head.brushes[0].shape, "flat");
+  EXPECT_EQ(out.head.brushes[0].size_pressure, 0);
+  EXPECT_FALSE(out.head.brushes[0].capacity) << "paint runs dry";
+  EXPECT_EQ(out.head.brushes[1].name, "pen");
+  EXPECT_FALSE(out.head.brushes[1].size_pressure);
+  EXPECT_EQ(out.head.brushes[2].name, "pen 0.2");
+  EXPECT_EQ(out.head.brushes[2].size_pressure, 0.8);
+  EXPECT_TRUE(out.head.brushes[2].capacity);
+  const auto uses = [&](const std::string& name) {
+    const std::string wanted = "\"name\":\"" + name + "\"";
+    return std::any_of(out.lines.begin(), out.lines.end(), [&](const std::string& line) {
+      return line.find(wanted) != std::string::npos;
+    });
+  };
+  for (const char* name : {"pen", "pen 0.2", "flat 1", "bristle"}) EXPECT_TRUE(uses(name)) << name;
 }
 
 TEST(SketchLog, StrokesThatOverlapHaveIdsOfTheirOwn) {

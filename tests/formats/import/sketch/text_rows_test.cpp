@@ -37,5 +37,11 @@ TEST(TextRows, AByteOrderMarkIsNoText) {
   EXPECT_EQ(without_bom("x"), "x");
 }
 
+TEST(TextRows, WhatIsQuotedFitsALine) {
+  EXPECT_EQ(quotable("7,5 mm"), "7,5 mm");
+  EXPECT_EQ(quotable("a\nb\x1B[31m\xFF"), "a?b?[31m?");
+  EXPECT_EQ(quotable(std::string(41, 'x')), std::string(40, 'x') + "..");
+}
+
 }  // namespace
 }  // namespace pentimento::sketch

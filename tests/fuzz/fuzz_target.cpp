@@ -1,0 +1,85 @@
+#include "tests/fuzz/fuzz_target.h"
+
+#include <memory>
+
+#include "core/base/check.h"
+#include "formats/import/gravity_file.h"
+#include "formats/import/sketch/recording.h"
+#include "formats/import/sketch/sketch_log.h"
+#include "formats/log/reader.h"
+#include "formats/log/write/to_json.h"
+#include "tests/formats/log/log_text.h"
+
+namespace pentimento::test {
+
+namespace {
+constexpr const char* kName = "in.bin";
+
+/// Writes as a file would be written, to nowhere.
+class NowhereWriter : public log::Writer {
+ public:
+  void write(const log::Header& header) override { bytes_ += log::header_json(header).size(); }
+  void write(const log::Event& event) override {
+    bytes_ += log::event_json(event).size();
+    PENTIMENTO_CHECK(event.time_us >= last_us_);
+    last_us_ = event.time_us;
+  }
+  Result<Published> finish() override { return Published{}; }
+
+ private:
+  std::size_t bytes_ = 0;
+  std::int64_t last_us_ = 0;
+};
+
+void check_problem(const Error& error, std::string_view name) {
+  PENTIMENTO_CHECK(error.code == ErrorCode::kBadInput || error.code == ErrorCode::kLimit);
+  PENTIMENTO_CHECK(error.message.find(name) != std::string::npos);
+  PENTIMENTO_CHECK(error.message.size() < 400);
+  for (const char c : error.message) PENTIMENTO_CHECK(c >= ' ' || static_cast<signed char>(c) < 0);
+}
+
+void fuzz_recording(const sketch::Format& format, std::string_view bytes) {
+  sketch::format_of(bytes);
+  const Result<sketch::Sketch> drawing = format.read({kName, bytes}, {});
+  if (!drawing) return check_problem(drawing.error(), kName);
+  NowhereWriter writer;
+  const Result<sketch::LogCounts> counts = write_log(*drawing, {}, {}, writer);
+  PENTIMENTO_CHECK(counts || counts.error().code == ErrorCode::kBadInput ||
+                   counts.error().code == ErrorCode::kLimit);
+}
+
+void fuzz_log(std::string_view bytes, const log::ReaderOptions& options) {
+  static const log::TemporaryFolder folder;
+  const std::string path = folder.write(kName, std::string(bytes));
+  const Result<std::unique_ptr<log::Reader>> reader = log::Reader::open(path, options);
+  if (!reader) return check_problem(reader.error(), kName);
+  while (true) {
+    const Result<std::optional<log::Event>> event = (*reader)->next();
+    if (!event) return check_problem(event.error(), kName);
+    if (!*event) return;
+    log::event_json(**event);
+  }
+}
+}  // namespace
+
+std::vector<std::string> fuzz_targets() {
+  std::vector<std::string> out = {"gravity", "log", "repair"};
+  for (const sketch::Format& format : sketch::formats()) out.emplace_back(format.name);
+  return out;
+}
+
+void fuzz(const std::string& target, std::string_view bytes) {
+  log::ReaderOptions options;
+  options.repair = target == "repair";
+  if (target == "log" || target == "repair") return fuzz_log(bytes, options);
+  if (target == "gravity") {
+    const Result<sketch::GravityRecording> gravity = sketch::read_gravity({kName, bytes}, {});
+    if (!gravity) check_problem(gravity.error(), kName);
+    return;
+  }
+  const sketch::Format* format = sketch::find_format(target);
+  PENTIMENTO_CHECK(format != nullptr);
+  fuzz_recording(*format, bytes);
+}
+
+}  // namespace pentimento::test

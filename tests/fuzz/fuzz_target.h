@@ -1,0 +1,18 @@
+#pragma once
+// What fuzzing calls: each reader of files that others made, and what its result goes through next.
+// The fuzzer (fuzz_main.cpp) and the test of the kept inputs (fuzz_corpus_test.cpp) share it.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace pentimento::test {
+
+/// The names of all targets: the formats of recordings, `gravity`, `log` and `repair`.
+std::vector<std::string> fuzz_targets();
+
+/// Reads the bytes as the target does. Whatever they are, it may say what is wrong, in one line
+/// that names the file; anything else ends the process.
+void fuzz(const std::string& target, std::string_view bytes);
+
+}  // namespace pentimento::test
