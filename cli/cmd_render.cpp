@@ -7,6 +7,7 @@
 #include <CLI/Formatter.hpp>
 
 #include "cli/command.h"
+#include "cli/film_options.h"
 #include "cli/picture_options.h"
 #include "cli/progress.h"
 #include "cli/range.h"
@@ -24,12 +25,14 @@ constexpr const char* kAbout =
     "  pentimento render session.jsonl -o picture.png\n"
     "  pentimento render session.jsonl -o poster.png -o poster.exr --print 60x45cm --dpi 300\n"
     "  pentimento render session.jsonl -o frame-%.png --at 10 --at 20 --at mark:glaze\n"
+    "  pentimento render session.jsonl -o film.mp4 --length 20s --width 640\n"
     "  pentimento render session.jsonl -o state.h5 --json\n"
     "  cat session.jsonl.zst | pentimento render - -o - > picture.png";
 
 struct RenderOptions {
   RenderJob job;
   PictureOptions picture;
+  FilmOptions film;
   TalkOptions talk;
   std::vector<std::string> at, set;
   std::string scheme, gravity, memory_limit, refine;
@@ -87,6 +90,8 @@ void add_limit_options(CLI::App& app, RenderOptions& o) {
   app.add_option("--max-line", limits.max_line_bytes, "refuse longer lines, bytes")
       ->check(in_range(1, 1e18))
       ->type_name("N");
+  app.add_option("--hashes", o.job.hashes, "write hashes of the state after each step, for verify")
+      ->type_name("FILE");
   app.add_flag("--dry-run", o.dry_run, "tell size, steps, memory, disk and time; do nothing");
 }
 
@@ -118,12 +123,16 @@ Result<void> complete(RenderOptions& o) {
   Result<PictureChoice> picture = o.picture.picture();
   if (!picture) return picture.error();
   job.picture = std::move(*picture);
+  Result<FilmChoice> film = o.film.choice();
+  if (!film) return film.error();
+  job.film = *film;
+  job.picture.frames_per_second = film->frames_per_second;
   Result<LightChoice> light = o.picture.lighting();
   if (!light) return light.error();
   job.light = std::move(*light);
   job.size = o.picture.size();
   job.threads = o.picture.threads;
-  if (o.dry_run) return {};
+  if (o.dry_run || (!job.hashes.empty() && job.picture.outputs.empty())) return {};
   return check_outputs(job.picture.outputs, o.talk.json);
 }
 
@@ -144,6 +153,7 @@ int run_render(const Arguments& arguments) {
   CLI::App app(kAbout, "pentimento render");
   add_replay_options(app, o);
   o.picture.add_to(app);
+  o.film.add_to(app);
   add_limit_options(app, o);
   o.talk.add_to(app);
   if (const std::optional<int> code = parse(app, arguments)) return *code;

@@ -43,5 +43,8 @@ int run_validate(const Arguments& arguments);
 int run_convert(const Arguments& arguments);
 int run_list(const Arguments& arguments);
 int run_compare(const Arguments& arguments);
+int run_verify(const Arguments& arguments);
+int run_batch_command(const Arguments& arguments);
+int run_batch_report(const Arguments& arguments);
 
 }  // namespace pentimento::cli

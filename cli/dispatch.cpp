@@ -19,7 +19,7 @@ std::string overview(std::span<const Command> commands) {
       "  pentimento render session.jsonl -o poster.png --print A2 --dpi 300\n"
       "  pentimento relight state.h5 -o evening.png --light=-1,0.2,0.3\n\n"
       "Commands:\n";
-  for (const Command& c : commands) text += fmt::format("  {:<10} {}\n", c.name, c.summary);
+  for (const Command& c : commands) text += fmt::format("  {:<12} {}\n", c.name, c.summary);
   return text +
          "\n`pentimento COMMAND --help` tells more; `pentimento --version` names the build.\n";
 }

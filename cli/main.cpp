@@ -14,6 +14,9 @@ int main(int argc, char** argv) {
       {"convert", "another program's recording becomes a log", run_convert},
       {"list", "brushes, pigments, parameters, formats", run_list},
       {"compare", "two pictures or two states: what differs, how much, where", run_compare},
+      {"verify", "is the replay the one that was recorded? where do they part?", run_verify},
+      {"batch", "many logs, each in a process of its own, judged", run_batch_command},
+      {"batch-report", "one report of any number of runs", run_batch_report},
   };
   return dispatch(kCommands, Arguments(argv + 1, argv + argc));
 }

@@ -11,8 +11,8 @@
 namespace pentimento::cli {
 
 namespace {
-constexpr std::array<std::string_view, 6> kLeftOut = {"-o",        "--output",       "--progress",
-                                                      "--threads", "--memory-limit", "--scratch"};
+constexpr std::array<std::string_view, 7> kLeftOut = {
+    "-o", "--output", "--progress", "--threads", "--memory-limit", "--scratch", "--hashes"};
 constexpr std::array<std::string_view, 4> kLeftOutFlags = {"--json", "--quiet", "--no-clobber",
                                                            "--dry-run"};
 

@@ -63,6 +63,31 @@ Result<std::int64_t> parse_bytes(const std::string& option, const std::string& t
   return expected(option, text, "bytes, as 500M or 8G");
 }
 
+Result<double> parse_duration(const std::string& option, const std::string& text) {
+  constexpr double kMostSeconds = 1e7;
+  std::string_view rest = text;
+  double value = 0;
+  if (take_number(rest, value) && value > 0) {
+    const double unit = rest.empty() || rest == "s" ? 1 : rest == "m" ? 60 : rest == "h" ? 3600 : 0;
+    if (unit > 0 && value * unit <= kMostSeconds) return value * unit;
+  }
+  return expected(option, text, "a time, as 90s, 10m or 2h");
+}
+
+Result<std::pair<int, int>> parse_share(const std::string& option, const std::string& text) {
+  constexpr int kMostShares = 1 << 20;
+  int share = 0, count = 0;
+  const char* const end = text.data() + text.size();
+  const auto [slash, problem] = std::from_chars(text.data(), end, share);
+  if (problem == std::errc{} && slash != end && *slash == '/') {
+    const auto [rest, problem_too] = std::from_chars(slash + 1, end, count);
+    if (problem_too == std::errc{} && rest == end && share >= 1 && share <= count &&
+        count <= kMostShares)
+      return std::pair(share, count);
+  }
+  return expected(option, text, "I/N, as 2/3, with I from 1 to N");
+}
+
 Result<std::pair<std::string, std::string>> parse_model_setting(const std::string& text) {
   const std::size_t equals = text.find('=');
   constexpr std::string_view kPrefix = "model.";

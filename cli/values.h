@@ -21,6 +21,12 @@ Result<std::array<double, 3>> parse_vector(const std::string& option, const std:
 /// Bytes: a number, and K, M, G or T for powers of 1024.
 Result<std::int64_t> parse_bytes(const std::string& option, const std::string& text);
 
+/// Seconds: a number, and s, m or h.
+Result<double> parse_duration(const std::string& option, const std::string& text);
+
+/// `I/N`, one of N shares, from 1 on.
+Result<std::pair<int, int>> parse_share(const std::string& option, const std::string& text);
+
 /// `model.NAME=VALUE` as NAME and VALUE.
 Result<std::pair<std::string, std::string>> parse_model_setting(const std::string& text);
 

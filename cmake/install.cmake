@@ -35,4 +35,4 @@ set(private_headers
 list(JOIN private_headers | private_names)
 install(DIRECTORY core formats replay DESTINATION ${header_dir} FILES_MATCHING PATTERN "*.h"
   REGEX "/(shading|gl|hdf5|exr)/(${private_names})\\.h$" EXCLUDE
-  REGEX "/(shaders|data|cmake)$" EXCLUDE)
+  REGEX "/(shaders|data|cmake|page)$" EXCLUDE)

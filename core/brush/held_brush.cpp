@@ -13,6 +13,16 @@ HeldBrush::HeldBrush(const ChannelBasis& basis, const Model& model)
       tip_(tips_.find(brush_)),
       load_(wanted_load()) {}
 
+void HeldBrush::become(const HeldBrush& other) {
+  amount_ = other.amount_;
+  brush_ = other.brush_.clone();
+  tips_ = other.tips_;
+  tip_ = other.tip_;
+  settings_ = other.settings_;
+  colors_ = other.colors_;
+  load_ = other.load_;
+}
+
 bool HeldBrush::take(const BrushDefinition& brush) {
   const bool is_other = brush.name != brush_.name;
   brush_ = brush.clone();

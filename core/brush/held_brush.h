@@ -25,6 +25,10 @@ class HeldBrush {
   /// `basis` and `model` must outlive the object. The model may change; then call reload().
   HeldBrush(const ChannelBasis& basis, const Model& model);
 
+  /// Becomes what `other` is, but of its own basis and model, which must be equal to those of
+  /// `other`.
+  void become(const HeldBrush& other);
+
   /// Takes a brush. True if it is another brush than the one in the hand: it is clean, and the
   /// caller dips it.
   [[nodiscard]] bool take(const BrushDefinition& brush);

@@ -55,4 +55,7 @@ struct CanvasState {
 CanvasState make_canvas_state(const CanvasGeometry& geometry, int layers, int channels, int bands,
                               float white);
 
+/// A deep copy.
+CanvasState clone_state(const CanvasState& state);
+
 }  // namespace pentimento

@@ -17,4 +17,10 @@ void clear(BrushContact& c) {
   c.row_begin = c.row_end = 0;
 }
 
+BrushContact clone(const BrushContact& c) {
+  return {c.weight.clone(),   c.velocity_x_m_s.clone(), c.velocity_y_m_s.clone(),
+          c.push_x_m.clone(), c.push_y_m.clone(),       c.row_begin,
+          c.row_end};
+}
+
 }  // namespace pentimento

@@ -29,4 +29,6 @@ BrushContact make_brush_contact(int width, int height);
 /// Sets everything back to untouched.
 void clear(BrushContact& contact);
 
+BrushContact clone(const BrushContact& contact);
+
 }  // namespace pentimento

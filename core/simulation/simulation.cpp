@@ -191,6 +191,24 @@ void Simulation::load(const std::vector<Field<float>>& reflectance) {
   if (impl_->listener != nullptr) impl_->listener->cleared();
 }
 
+std::unique_ptr<Simulation> Simulation::fork(const Threads& threads) const {
+  const Impl& from = *impl_;
+  SimulationSetup setup{from.setup.geometry,        from.model,
+                        from.setup.basis,           from.setup.dt_s,
+                        from.setup.paper_m.clone(), from.setup.paper_reflectance};
+  auto twin = std::make_unique<Simulation>(std::move(setup), threads);
+  Impl& to = *twin->impl_;
+  to.account = from.account;
+  to.state = clone_state(from.state);
+  to.adopt_state();
+  to.contact = clone(from.contact);
+  to.held.become(from.held);
+  to.touches = from.touches;
+  to.gravity_m_s2 = from.gravity_m_s2;
+  to.stamps = from.stamps;
+  return twin;
+}
+
 void Simulation::restore(CanvasState state) {
   PENTIMENTO_CHECK(state.geometry.width == impl_->setup.geometry.width &&
                    state.geometry.height == impl_->setup.geometry.height &&

@@ -56,6 +56,11 @@ class Simulation : public Painter {
   /// Told of everything that happens to the canvas; nullptr: nobody. Outlives the simulation.
   void set_listener(CanvasListener* listener);
 
+  /// Another simulation that is at the same point and goes on bit for bit as this one would:
+  /// canvas, brushes and the paint in them, account. It has no listener. Call it between steps.
+  /// `threads` outlives it.
+  std::unique_ptr<Simulation> fork(const Threads& threads) const;
+
   /// Goes on from a dumped state (same geometry, layers and channels). What is wet in it opens the
   /// paint account as deposited.
   void restore(CanvasState state);

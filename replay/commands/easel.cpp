@@ -7,6 +7,7 @@
 #include "core/brush/stroke_path.h"
 #include "core/canvas/canvas_source.h"
 #include "core/shading/shader.h"
+#include "formats/color/row_encoder.h"
 #include "formats/hdf5/state_dump.h"
 #include "formats/png/png_writer.h"
 #include "replay/job/build_info.h"
@@ -17,6 +18,7 @@
 #include "replay/log/palette.h"
 #include "replay/output/tone_sink.h"
 #include "replay/paper/paper_relief.h"
+#include "replay/play/copies.h"
 #include "replay/play/hand.h"
 #include "replay/play/lighting_track.h"
 #include "replay/session/simulation_setup.h"
@@ -40,22 +42,69 @@ Result<SimulationSetup> setup_of(const log::Header& header, const Palette& palet
   setup.paper_m = std::move(*relief);
   return setup;
 }
+/// Keeps a picture as the codes that a PNG of 8 bits would have.
+class BytesSink final : public PictureSink {
+ public:
+  explicit BytesSink(EaselPicture& picture) : picture_(picture), encoder_({}, 8) {
+    picture_.rgb.resize(std::size_t{3} * static_cast<std::size_t>(picture_.width) *
+                        static_cast<std::size_t>(picture_.height));
+  }
+  Result<void> write(const PictureStrip& strip) override {
+    for (int y = 0; y < strip.rows; ++y) {
+      std::uint8_t* out = picture_.rgb.data() + std::size_t{3} *
+                                                    static_cast<std::size_t>(picture_.width) *
+                                                    static_cast<std::size_t>(strip.y0 + y);
+      const RgbRow row{strip.plane[0].row(y), strip.plane[1].row(y), strip.plane[2].row(y)};
+      if (!encoder_.encode(row, picture_.width, strip.y0 + y, out))
+        return Error{ErrorCode::kNonFinite, "the picture is not finite"};
+    }
+    return {};
+  }
+
+ private:
+  EaselPicture& picture_;
+  RowEncoder encoder_;
+};
 }  // namespace
 
 struct Easel::Impl {
+  /// What the header gives names to.
+  struct Named {
+    Named(BrushTable brush_table, Palette pigments)
+        : brushes(std::move(brush_table)), palette(std::move(pigments)) {}
+    BrushTable brushes;
+    Palette palette;
+  };
+
   Impl(const log::Header& header, int thread_count, BrushTable brush_table, Palette pigments,
        SimulationSetup setup)
       : threads(thread_count),
-        brushes(std::move(brush_table)),
-        palette(std::move(pigments)),
+        named(std::make_shared<Named>(std::move(brush_table), std::move(pigments))),
         clock(header.steps_per_second),
         lighting(default_lighting()),
-        simulation(std::move(setup), threads) {
+        own_simulation(std::make_unique<Simulation>(std::move(setup), threads)),
+        simulation(*own_simulation) {
     develop(header.picture, lighting);
     simulation.set_gravity(core_gravity({}));
     hold(brushes.first(), {});
     simulation.set_color(0);
   }
+
+  /// A fork.
+  Impl(const Impl& other)
+      : threads(other.threads.count()),
+        named(other.named),
+        clock(other.clock),
+        lighting(clone_lighting(other.lighting)),
+        own_simulation(other.simulation.fork(threads)),
+        simulation(*own_simulation),
+        settings(other.settings),
+        spacing_frac(other.spacing_frac),
+        now_us(other.now_us),
+        strokes(other.strokes),
+        problem(other.problem),
+        shader(other.shader) {}
+  Impl& operator=(const Impl&) = delete;
 
   void hold(const BrushDefinition& brush, const BrushSettings& sliders) {
     settings = sliders;
@@ -76,22 +125,27 @@ struct Easel::Impl {
   std::vector<TouchSample> samples_of(const std::vector<StrokePoint>& points,
                                       double speed_m_s) const;
   std::vector<Stamp> stamps_along(const std::vector<TouchSample>& samples) const;
+  Result<OutputSize> picture_size(int width) const;
+  Result<void> open_shader();
+  Result<void> shade(const OutputSize& size, PictureSink& sink);
   void fail(std::string message) {
     if (!problem) problem = Error{ErrorCode::kBadInput, std::move(message)};
   }
 
   const Threads threads;
-  const BrushTable brushes;
-  const Palette palette;
+  const std::shared_ptr<const Named> named;  // forks share it
+  const BrushTable& brushes = named->brushes;
+  const Palette& palette = named->palette;
   const StepClock clock;
   Lighting lighting;
-  Simulation simulation;
+  std::unique_ptr<Simulation> own_simulation;
+  Simulation& simulation;
   BrushSettings settings;
   double spacing_frac = 0;
   std::int64_t now_us = 0;
   std::uint32_t strokes = 0;
   std::optional<Error> problem;
-  std::unique_ptr<Shader> shader;
+  std::shared_ptr<Shader> shader;  // forks share it: to open one takes longer than a small picture
 };
 
 /// Whole microseconds, as the times of a log.
@@ -171,40 +225,88 @@ void Easel::wait(double seconds) {
   if (!impl_->problem) impl_->advance(impl_->now_us);
 }
 
+void Easel::step(int steps) {
+  PENTIMENTO_CHECK(steps >= 0);
+  Impl& in = *impl_;
+  if (in.problem) return;
+  // The time that they take, to the microsecond that is in the right step.
+  const std::int64_t end = in.simulation.state().step + steps;
+  in.now_us += microseconds(in.clock.seconds(steps));
+  while (in.clock.step_of(in.now_us) < end) ++in.now_us;
+  while (in.clock.step_of(in.now_us) > end) --in.now_us;
+  in.advance(in.now_us);
+}
+
+void Easel::set_gravity(double x_m_s2, double y_m_s2, double z_m_s2) {
+  impl_->simulation.set_gravity(core_gravity({x_m_s2, y_m_s2, z_m_s2}));
+}
+
+std::unique_ptr<Easel> Easel::fork() const {
+  return std::unique_ptr<Easel>(new Easel(std::make_unique<Impl>(*impl_)));
+}
+
+const std::optional<Error>& Easel::problem() const {
+  return impl_->problem;
+}
+
+double Easel::time_s() const {
+  return static_cast<double>(impl_->now_us) / kMicroseconds;
+}
+
 void Easel::dry() {
   if (!impl_->problem) impl_->simulation.dry();
 }
 
+Result<OutputSize> Easel::Impl::picture_size(int width) const {
+  return output_size({width > 0 ? std::optional(width) : std::nullopt, {}, {}, {}, 0},
+                     simulation.state().geometry);
+}
+
+Result<void> Easel::Impl::shade(const OutputSize& size, PictureSink& sink) {
+  ToneSink toned(sink, lighting.tone);
+  ShadeRequest request;
+  request.width = size.width;
+  request.height = size.height;
+  return shader->shade(StateSource(simulation.state()), simulation.basis(), simulation.model(),
+                       lighting, request, {&toned});
+}
+
+Result<void> Easel::Impl::open_shader() {
+  if (problem) return *problem;
+  if (shader) return {};
+  Result<std::unique_ptr<Shader>> opened = Shader::open(GlBackend::kAuto, threads.count());
+  if (!opened) return opened.error();
+  shader = std::move(*opened);
+  return {};
+}
+
 Result<Published> Easel::write_png(const std::string& path, int width) {
   Impl& in = *impl_;
-  if (in.problem) return *in.problem;
-  const CanvasState& state = in.simulation.state();
-  const Result<OutputSize> size =
-      output_size({width > 0 ? std::optional(width) : std::nullopt, {}, {}, {}, 0}, state.geometry);
+  const Result<OutputSize> size = in.picture_size(width);
   if (!size) return size.error();
-  if (!in.shader) {
-    Result<std::unique_ptr<Shader>> opened = Shader::open(GlBackend::kAuto, in.threads.count());
-    if (!opened) return opened.error();
-    in.shader = std::move(*opened);
-  }
+  if (Result<void> opened = in.open_shader(); !opened) return opened.error();
   PngOptions options;
   options.width = size->width;
   options.height = size->height;
   options.threads = in.threads.count();
   options.provenance = {{"software", software()},
-                        {"state_sha256", state_sha256(state)},
+                        {"state_sha256", state_sha256(in.simulation.state())},
                         {"shader", in.shader->description()}};
   Result<std::unique_ptr<PictureFile>> png = create_png(path, options);
   if (!png) return png.error();
-  ToneSink toned(**png, in.lighting.tone);
-  ShadeRequest request;
-  request.width = size->width;
-  request.height = size->height;
-  const Result<void> shaded =
-      in.shader->shade(StateSource(state), in.simulation.basis(), in.simulation.model(),
-                       in.lighting, request, {&toned});
-  if (!shaded) return shaded.error();
+  if (Result<void> shaded = in.shade(*size, **png); !shaded) return shaded.error();
   return (*png)->finish();
+}
+
+Result<EaselPicture> Easel::picture(int width) {
+  Impl& in = *impl_;
+  const Result<OutputSize> size = in.picture_size(width);
+  if (!size) return size.error();
+  if (Result<void> opened = in.open_shader(); !opened) return opened.error();
+  EaselPicture picture{size->width, size->height, {}};
+  BytesSink bytes(picture);
+  if (Result<void> shaded = in.shade(*size, bytes); !shaded) return shaded.error();
+  return picture;
 }
 
 Lighting& Easel::lighting() {

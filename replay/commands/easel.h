@@ -3,7 +3,9 @@
 // needs for it, and the paint flows meanwhile. A log with the same strokes ends in the same state,
 // bit for bit. Only one thread at a time may use an easel.
 
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +23,11 @@ struct StrokePoint {
   double x_m = 0;
   double y_m = 0;
   float pressure = 0.8f;  // 0..1
+};
+
+struct EaselPicture {
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> rgb;
 };
 
 class Easel {
@@ -45,8 +52,26 @@ class Easel {
   // The time between strokes.
   /// The hand rests and the paint flows on. `seconds` >= 0.
   void wait(double seconds);
+  /// So many steps of the simulation go by. `steps` >= 0.
+  void step(int steps);
   /// All paint dries at once.
   void dry();
+  /// What the accelerometer of a tablet would read, m/s^2: x right, y up, z out of the canvas.
+  /// Lying face up it is (0, 0, 9.81), upright (0, 9.81, 0).
+  void set_gravity(double x_m_s2, double y_m_s2, double z_m_s2);
+
+  /// Another easel with the same wet paint, brush and light, which goes on bit for bit as this one
+  /// would.
+  std::unique_ptr<Easel> fork() const;
+  /// The first of the errors above; nothing if there is none.
+  const std::optional<Error>& problem() const;
+  /// Simulated time, s.
+  double time_s() const;
+
+  /// The picture of the canvas as it is now, as red, green and blue of 8 bits, sRGB, row by row
+  /// from the top. `width` as in write_png(). Errors: the first of the calls above, those of
+  /// OpenGL.
+  Result<EaselPicture> picture(int width = 0);
 
   /// The picture of the canvas as it is now, 8 bits a colour. `width` in pixels, 0: one per cell;
   /// the height follows the canvas. Errors: the first of the calls above, kIo, those of OpenGL.

@@ -19,8 +19,4 @@ namespace pentimento {
 Result<std::vector<std::array<float, 3>>> light_path(const std::string& path, int frames,
                                                      const Lamp& start);
 
-/// `pattern` with the number of the frame in place of its `%d` or `%04d`. Errors: kUsage if the
-/// pattern does not have exactly one of these.
-Result<std::string> frame_name(const std::string& pattern, int frame);
-
 }  // namespace pentimento

@@ -11,6 +11,7 @@
 #include "replay/commands/light_path.h"
 #include "replay/job/stopwatch.h"
 #include "replay/output/effective.h"
+#include "replay/output/frame_name.h"
 #include "replay/output/output_plan.h"
 #include "replay/output/output_set.h"
 #include "replay/play/copies.h"

@@ -7,6 +7,9 @@
 #include <utility>
 
 #include "replay/estimate/memory_estimate.h"
+#include "replay/film/film_plan.h"
+#include "replay/hashes/hash_recorder.h"
+#include "replay/job/build_info.h"
 #include "replay/job/step_clock.h"
 #include "replay/job/stopwatch.h"
 #include "replay/output/canvas_view.h"
@@ -31,9 +34,12 @@ Lighting first_lighting(LogSession& session) {
 /// One replay, from the first step to the closing report.
 class Replay {
  public:
-  Replay(const RenderJob& job, LogSession& session, const Control& control, Stopwatch& watch)
+  /// `film` nullptr: the job makes none.
+  Replay(const RenderJob& job, LogSession& session, const FilmPlan* film, const Control& control,
+         Stopwatch& watch)
       : job_(job),
         session_(session),
+        film_(film),
         control_(control),
         watch_(watch),
         threads_(job.threads),
@@ -45,9 +51,11 @@ class Replay {
 
  private:
   Result<void> begin();
+  Result<void> begin_hashes();
   Result<void> play();
   Result<void> play_to_stop(std::size_t stop);
   Result<void> write(const std::vector<PlannedOutput>& files);
+  void hash(const CanvasView& view);
   Origin origin(const Lighting& lighting) const;
   StateDump dump_of(const CanvasView& view, Lighting lighting, const Origin& from) const;
   double time_s() const;
@@ -55,6 +63,7 @@ class Replay {
 
   const RenderJob& job_;
   LogSession& session_;
+  const FilmPlan* film_;
   const Control& control_;
   Stopwatch& watch_;
   Threads threads_;
@@ -68,17 +77,11 @@ class Replay {
   std::unique_ptr<ReplayDetail> fine_;  // empty at detail 1
   std::unique_ptr<Timeline> timeline_;
   std::unique_ptr<Hand> hand_;
+  std::unique_ptr<HashWriter> hash_file_;  // empty without --hashes
+  std::unique_ptr<HashRecorder> hashes_;
   std::unique_ptr<Player> player_;
   JobReport report_;
 };
-
-std::uint32_t last_stroke_id(const CanvasState& state) {
-  std::uint32_t last = 0;
-  for (int y = 0; y < state.stroke.height(); ++y) {
-    for (const std::uint32_t id : state.stroke.view().row_span(y)) last = std::max(last, id);
-  }
-  return last;
-}
 
 bool any_state(const std::vector<PlannedOutput>& files) {
   return std::any_of(files.begin(), files.end(),
@@ -93,9 +96,17 @@ Result<JobReport> Replay::run() {
   if (Result<void> go = control_.go_on(); !go) return go.error();
   // ... and only then do the finished files get their names.
   watch_.start("publish");
+  if (hash_file_) {
+    if (Result<Published> whole = hash_file_->complete(); !whole) return whole.error();
+  }
   Result<std::vector<WrittenFile>> written = outputs_.publish();
   if (!written) return written.error();
   report_.outputs = std::move(*written);
+  if (hash_file_) {
+    Result<Published> published = hash_file_->publish();
+    if (!published) return published.error();
+    report_.outputs.push_back({job_.hashes, 0, 0, published->sha256, {}});
+  }
   conclude();
   return std::move(report_);
 }
@@ -113,14 +124,8 @@ Result<void> Replay::begin() {
   // What is to be written, at which stop.
   report_.other_painting = other_painting(session_);
   Result<std::vector<std::vector<PlannedOutput>>> files =
-      plan_outputs(job_.picture.outputs, job_.stops);
+      film_ ? film_->files : plan_outputs(job_.picture.outputs, job_.stops);
   if (!files) return files.error();
-  for (const PlannedOutput& output : files->front()) {
-    if (output.kind == OutputKind::kVideo) {
-      return Error{ErrorCode::kUsage,
-                   "-o " + output.path + ": videos are made by relight --light-path"};
-    }
-  }
   files_ = std::move(*files);
   watch_.start("prepare");
   // The light that the options ask for.
@@ -148,8 +153,25 @@ Result<void> Replay::begin() {
   timeline_ = std::make_unique<Timeline>(*session_.reader, input);
   hand_ = std::make_unique<Hand>(*simulation_,
                                  hand_input(session_, fine_ ? &fine_->substrate() : nullptr));
+  if (Result<void> begun = begin_hashes(); !begun) return begun;
   player_ = std::make_unique<Player>(PlayerInput{*timeline_, *simulation_, *hand_, lighting_,
-                                                 session_.files, control_, session_.steps});
+                                                 session_.files, control_, session_.steps,
+                                                 hashes_.get()});
+  return {};
+}
+
+Result<void> Replay::begin_hashes() {
+  if (job_.hashes.empty()) return {};
+  const float tile_m = simulation_->model().sleep_tile_m;
+  const FieldHashes tiles(session_.grid, tile_m);
+  const HashHeader header{session_.plan.sha256, software(),           job_.command,
+                          session_.grid.width,  session_.grid.height, tiles.tile_width(),
+                          tiles.tile_height()};
+  Result<std::unique_ptr<HashWriter>> file =
+      HashWriter::create(job_.hashes, header, job_.picture.no_clobber);
+  if (!file) return file.error();
+  hash_file_ = std::move(*file);
+  hashes_ = std::make_unique<HashRecorder>(session_.grid, tile_m, threads_, *hash_file_);
   return {};
 }
 
@@ -204,13 +226,21 @@ Origin Replay::origin(const Lighting& lighting) const {
   return origin;
 }
 
-Result<void> Replay::write(const std::vector<PlannedOutput>& files) {
-  watch_.start("hash");
-  // The hashes that every output carries.
-  const CanvasView view = make_canvas_view(*simulation_, fine_.get(), session_.detail);
+void Replay::hash(const CanvasView& view) {
   report_.guide_sha256 = state_sha256(simulation_->state());
   report_.state_sha256 =
       view.detail > 1 ? state_sha256(*view.canvas, threads_) : report_.guide_sha256;
+}
+
+Result<void> Replay::write(const std::vector<PlannedOutput>& files) {
+  watch_.start("hash");
+  // The hashes that every output carries. A film carries none.
+  const CanvasView view = make_canvas_view(*simulation_, fine_.get(), session_.detail);
+  const bool only_film = &files != &files_.back() &&
+                         std::all_of(files.begin(), files.end(), [](const PlannedOutput& output) {
+                           return output.kind == OutputKind::kVideo;
+                         });
+  if (!only_film) hash(view);
   // The light at this moment: the log's, then what the options change, then lamps fixed in the
   // room.
   if (Result<void> looked = lighting_.look(player_->steps()); !looked) return looked;
@@ -260,6 +290,7 @@ void Replay::conclude() {
   report_.paint = paint_lines(*simulation_);
   report_.fluid = simulation_->statistics();
   if (fine_) report_.lock = fine_->follower().lock_statistics();
+  if (film_) report_.frame_steps = film_->steps;
   report_.phases = watch_.phases();
   report_.wall_s = watch_.total_s();
   report_.peak_memory_bytes = peak_memory_bytes();
@@ -282,7 +313,16 @@ Result<JobReport> render(const RenderJob& job, const Control& control) {
     survey = survey_paint(*session, DetailCost(), control);  // else nothing follows it
   if (!survey) return survey.error();
   if (Result<void> fits = check_memory(job, *session, *survey); !fits) return fits.error();
-  Replay replay(job, *session, control, watch);
+  // The frames of a film are stops of the replay.
+  std::optional<FilmPlan> film;
+  if (makes_film(job)) {
+    Result<FilmPlan> plan =
+        plan_film(job, *session->reader, session->plan.stepped, session->plan.steps, control);
+    if (!plan) return plan.error();
+    film = std::move(*plan);
+    session->plan.stops = film->steps;
+  }
+  Replay replay(job, *session, film ? &*film : nullptr, control, watch);
   return replay.run();
 }
 

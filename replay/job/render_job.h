@@ -14,6 +14,7 @@
 #include "core/shading/shader.h"
 #include "formats/color/color_profile.h"
 #include "formats/log/reader.h"
+#include "replay/job/film_choice.h"
 #include "replay/job/output_size.h"
 #include "replay/job/stop_points.h"
 
@@ -60,6 +61,7 @@ struct RenderJob {
   std::optional<int> detail;        // fine cells per cell of the guide, 1..32; none: by the size
   std::optional<double> sim_scale;  // simulation grid / output size; direct only
   std::vector<StopPoint> stops;
+  FilmChoice film;
   std::optional<double> settle_s;
   std::vector<std::pair<std::string, std::string>> model;  // --set, names without "model."
   std::optional<std::array<double, 3>> gravity;            // m/s^2, y up, in place of the log's
@@ -67,6 +69,7 @@ struct RenderJob {
   PictureChoice picture;
   int threads = 0;                         // 0 = all
   std::optional<std::int64_t> max_memory;  // bytes; none: what the machine has
+  std::string hashes;                      // a file for the hashes of each step; empty: none
   std::string scratch;                     // a folder for what does not fit in memory; empty: none
   log::ReaderOptions reading;
   std::string command;  // the command line without its -o, for provenance

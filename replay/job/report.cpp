@@ -1,6 +1,7 @@
 #include "replay/job/report.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -118,13 +119,15 @@ std::string report_json(const JobReport& report) {
   for (const Phase& phase : report.phases) {
     phases.push_back(ReportObject().add("name", phase.name).add("wall_s", phase.wall_s).text());
   }
+  if (!report.frame_steps.empty())
+    json.add_json("frame_steps", fmt::format("[{}]", fmt::join(report.frame_steps, ",")));
   return json.add_json("phases", json_array(phases)).text();
 }
 
 std::string report_text(const JobReport& report) {
   std::string text;
   for (const WrittenFile& f : report.outputs) {
-    text += fmt::format("{}  {} x {}\n", f.file, f.width, f.height);
+    text += f.width > 0 ? fmt::format("{}  {} x {}\n", f.file, f.width, f.height) : f.file + "\n";
   }
   if (report.steps > 0) {
     text += fmt::format("{} steps ({} computed), {:.1f} s simulated\n", report.steps,

@@ -59,6 +59,7 @@ struct JobReport {
   /// What the fluid scheme measured: awake shares, largest speed and depth, and so on.
   std::vector<std::pair<std::string, double>> fluid;
   std::vector<Phase> phases;
+  std::vector<std::int64_t> frame_steps;  // steps done at each frame of a film
 };
 
 /// The accounts of the medium, then of each channel.

@@ -1,12 +1,11 @@
 #pragma once
-// Deep copies of structures that own planes.
+// A deep copy of the light, which owns planes. That of a canvas is clone_state().
 
 #include "core/canvas/canvas_state.h"
 #include "core/optics/lighting.h"
 
 namespace pentimento {
 
-CanvasState clone_state(const CanvasState& state);
 Lighting clone_lighting(const Lighting& lighting);
 
 }  // namespace pentimento

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace pentimento {
@@ -9,6 +10,11 @@ namespace pentimento {
 namespace {
 /// Looking for non-finite values costs about a third of a step.
 constexpr std::int64_t kStepsBetweenChecks = 64;
+
+bool changes_whole_canvas(const log::Action& action) {
+  return std::holds_alternative<log::Dry>(action) || std::holds_alternative<log::Clear>(action) ||
+         std::holds_alternative<log::Load>(action);
+}
 }  // namespace
 
 Player::Player(const PlayerInput& input) : in_(input), first_step_(input.simulation.state().step) {}
@@ -44,8 +50,10 @@ Result<void> Player::apply_cues(std::optional<std::int64_t> before_step) {
     }
     if (before_step && ahead_->step >= *before_step) return {};
     if (Result<void> advanced = advance(ahead_->step); !advanced) return advanced;
+    line_ = std::max(line_, ahead_->line);
     if (Result<void> applied = in_.hand.apply(*ahead_); !applied) return applied;
     if (const auto* action = std::get_if<log::Action>(&ahead_->what)) {
+      whole_canvas_ = whole_canvas_ || changes_whole_canvas(*action);
       if (Result<void> lit = in_.lighting.follow(*action, ahead_->step, in_.files); !lit)
         return lit;
     }
@@ -58,6 +66,11 @@ Result<void> Player::advance(std::int64_t to_step) {
     if (Result<void> go = in_.control.go_on(); !go) return go;
     ++computed_;
     const bool moved = in_.simulation.step();
+    if (in_.observer != nullptr) {
+      const bool whole = std::exchange(whole_canvas_, false);
+      if (Result<void> seen = in_.observer->stepped(in_.simulation.state(), line_, whole); !seen)
+        return seen;
+    }
     if (computed_ % kStepsBetweenChecks == 0) {
       if (Result<void> finite = check_finite(); !finite) return finite;
     }

@@ -11,6 +11,7 @@
 #include "replay/job/control.h"
 #include "replay/play/hand.h"
 #include "replay/play/lighting_track.h"
+#include "replay/play/step_observer.h"
 #include "replay/timeline/timeline.h"
 
 namespace pentimento {
@@ -23,7 +24,8 @@ struct PlayerInput {
   LightingTrack& lighting;
   LogFiles& files;
   const Control& control;
-  std::int64_t total_steps = 0;  // for progress
+  std::int64_t total_steps = 0;      // for progress
+  StepObserver* observer = nullptr;  // told of every step that was computed; nullptr: nobody
 };
 
 class Player {
@@ -53,6 +55,8 @@ class Player {
   PlayerInput in_;
   std::int64_t first_step_;
   std::int64_t computed_ = 0;
+  bool whole_canvas_ = false;  // a drying, a clearing or a picture since the last step
+  std::int64_t line_ = 0;      // of the log, of the last cue that was played
   std::optional<Cue> ahead_;
 };
 

@@ -214,6 +214,14 @@ Result<std::unique_ptr<Simulation>> make_simulation(LogSession& session, const T
   return simulation;
 }
 
+std::uint32_t last_stroke_id(const CanvasState& state) {
+  std::uint32_t last = 0;
+  for (int y = 0; y < state.stroke.height(); ++y) {
+    for (const std::uint32_t id : state.stroke.view().row_span(y)) last = std::max(last, id);
+  }
+  return last;
+}
+
 HandInput hand_input(LogSession& session, ReplaySubstrate* detail_substrate) {
   std::optional<Vec3f> gravity;
   if (session.gravity) gravity = core_gravity(*session.gravity);

@@ -47,6 +47,9 @@ Result<LogSession> open_session(const RenderJob& job, const Control& control);
 /// of the paper's texture.
 Result<std::unique_ptr<Simulation>> make_simulation(LogSession& session, const Threads& threads);
 
+/// The largest id of a stroke on the canvas, 0 if there is none.
+std::uint32_t last_stroke_id(const CanvasState& state);
+
 /// For the hand that plays the session's log. `detail_substrate`: of the detail canvas, if there is
 /// one.
 HandInput hand_input(LogSession& session, ReplaySubstrate* detail_substrate = nullptr);

@@ -1,4 +1,5 @@
-// How fast a log is turned into cues, and played on a small canvas.
+// How fast a log is turned into cues, and played on a small canvas, without and with the hashes of
+// each step.
 
 #include <benchmark/benchmark.h>
 
@@ -6,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "replay/hashes/hash_recorder.h"
 #include "replay/play/player.h"
 #include "replay/session/log_plan.h"
 #include "tests/replay/list_reader.h"
@@ -48,6 +50,7 @@ void PlayerSteps(benchmark::State& bench) {
   LogFiles files("-", false);
   const BrushTable brushes;
   const Control control;
+  const bool hashed = bench.range(2) != 0;
   std::int64_t steps = 0;
   for (auto _ : bench) {
     const LogPlan plan = plan_log(reader, files, {}).value();
@@ -59,7 +62,11 @@ void PlayerSteps(benchmark::State& bench) {
     Timeline timeline(reader, {plan.undo, brushes, plan.stepped, 1});
     Hand hand(simulation, {brushes, plan.palette, 0, files, std::nullopt});
     LightingTrack lighting(default_lighting(), 45);
-    Player player({timeline, simulation, hand, lighting, files, control, plan.steps});
+    const float tile_m = simulation.model().sleep_tile_m;
+    const auto file = HashWriter::create("/dev/null", {}, false);
+    HashRecorder recorder(simulation.geometry(), tile_m, threads, **file);
+    Player player({timeline, simulation, hand, lighting, files, control, plan.steps,
+                   hashed ? &recorder : nullptr});
     benchmark::DoNotOptimize(player.play_all(plan.steps).ok());
     steps += player.steps();
     static_cast<void>(reader.rewind());
@@ -68,9 +75,12 @@ void PlayerSteps(benchmark::State& bench) {
   bench.SetLabel("steps");
 }
 BENCHMARK(PlayerSteps)
-    ->Args({256, 1})
-    ->Args({1024, 1})
-    ->Args({1024, 2})
+    ->ArgNames({"side", "threads", "hashes"})
+    ->Args({256, 1, 0})
+    ->Args({1024, 1, 0})
+    ->Args({1024, 1, 1})
+    ->Args({1024, 2, 0})
+    ->Args({1024, 2, 1})
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 

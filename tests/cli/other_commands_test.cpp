@@ -159,7 +159,7 @@ TEST(CommandRelight, ALightPathIsAlsoAFilm) {
   place.write("old.mp4", "old");
   for (const char* wrong : {"relight a.h5 -o old.mp4",
                             "relight a.h5 -o old.mp4 --light-path orbit --frames 2 --width 81",
-                            "relight a.h5 -o a.png --fps 2", "render a.jsonl -o old.mp4"}) {
+                            "relight a.h5 -o a.png --fps 2"}) {
     const Ran refused = place.run(wrong);
     EXPECT_EQ(refused.code, 2) << wrong;
     EXPECT_EQ(lines_in(refused.err), 1u) << refused.err;

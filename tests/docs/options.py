@@ -16,11 +16,11 @@ import sys
 
 CLI = "docs/cli.md"
 HISTORY = ("CHANGELOG.md",)
-COMMANDS = ("render", "relight", "info", "validate", "convert", "list", "compare")
+COMMANDS = ("render", "relight", "info", "validate", "convert", "list", "compare", "verify", "batch", "batch-report")
 HELP_LINE = re.compile(r"^  (?:-\w,)?(--[\w-]+)(.*)$")
 OPTION = re.compile(r"(?<![\w-])(--[a-z][\w-]*)")
 CODE = re.compile(r"`([^`]+)`(?:\s+\((\d[\d.]*)\))?")
-CALL = re.compile(r"(?:^|[\s/`|])pentimento (%s)\b([^|`\n]*)" % "|".join(COMMANDS))
+CALL = re.compile(r"(?:^|[\s/`|])pentimento (%s)\b([^|`\n]*)" % "|".join(sorted(COMMANDS, reverse=True)))
 CHOICES = re.compile(r"^(--[\w-]+) ([\w.-]+(?:\|[\w.-]+)+)$")
 
 

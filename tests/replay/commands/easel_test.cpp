@@ -162,5 +162,84 @@ TEST(Easel, AnUnknownPigmentOpensNoCanvas) {
   EXPECT_EQ(Easel::open(header, 1).error().code, ErrorCode::kBadInput);
 }
 
+/// Half a painting: wet paint that runs, a brush that has picked up the other colour.
+std::unique_ptr<Easel> half_painted() {
+  std::unique_ptr<Easel> easel = easel_of(small_canvas());
+  easel->take_brush("flat", sliders(0.05f));
+  easel->set_gravity(0, 9.81, 1);
+  easel->stroke({{0.05, 0.1}, {0.2, 0.1}, {0.35, 0.12}});
+  easel->take_color("Titanium White");
+  easel->stroke({{0.2, 0.05}, {0.2, 0.25}});
+  easel->wait(0.3);
+  return easel;
+}
+
+void finish(Easel& easel) {
+  easel.stroke({{0.3, 0.05}, {0.1, 0.25}});
+  easel.wait(0.5);
+  easel.dry();
+  easel.stroke({{0.1, 0.2}, {0.3, 0.2}});
+  easel.wait(1);
+}
+
+TEST(EaselFork, GoesOnBitForBitAndAlone) {
+  const std::unique_ptr<Easel> easel = half_painted();
+  const std::string before = hash_of(*easel);
+  const std::unique_ptr<Easel> fork = easel->fork();
+  EXPECT_EQ(hash_of(*fork), before);
+  finish(*fork);
+  EXPECT_EQ(hash_of(*easel), before) << "what the fork paints is not on this canvas";
+  const std::string finished = hash_of(*fork);
+  EXPECT_NE(finished, before);
+  finish(*easel);
+  EXPECT_EQ(hash_of(*easel), finished);
+  EXPECT_EQ(easel->simulation().account().deposited.medium_m3,
+            fork->simulation().account().deposited.medium_m3);
+  // Between the last stamp of a stroke and the step that feels it.
+  const std::unique_ptr<Easel> one = half_painted();
+  one->stroke({{0.1, 0.1}, {0.3, 0.2}});
+  const std::unique_ptr<Easel> other = one->fork();
+  one->wait(0.2);
+  other->wait(0.2);
+  EXPECT_EQ(hash_of(*one), hash_of(*other));
+  // Of a fork, when the one that it came from is gone.
+  std::unique_ptr<Easel> gone = half_painted();
+  const std::unique_ptr<Easel> last = gone->fork();
+  gone.reset();
+  finish(*last);
+  EXPECT_EQ(hash_of(*last), finished);
+}
+
+TEST(Easel, StepsAreTheTimeThatTheyTake) {
+  const std::unique_ptr<Easel> a = half_painted(), b = half_painted();
+  a->step(45);
+  b->wait(1);
+  EXPECT_EQ(a->simulation().state().step, b->simulation().state().step);
+  finish(*a);
+  finish(*b);
+  EXPECT_EQ(hash_of(*a), hash_of(*b));
+}
+
+TEST(Easel, ThePictureInMemoryIsThatOfTheFile) {
+  const std::unique_ptr<Easel> easel = half_painted();
+  const std::filesystem::path file = std::filesystem::temp_directory_path() / "easel_memory.png";
+  ASSERT_TRUE(easel->write_png(file.string(), 32));
+  const Result<EaselPicture> picture = easel->picture(32);
+  ASSERT_TRUE(picture) << picture.error().message;
+  ImageReadOptions raw;
+  raw.meaning = SampleMeaning::kRaw;
+  const Result<Image> image = read_image(file.string(), raw);
+  ASSERT_TRUE(image);
+  ASSERT_EQ(picture->width, image->width);
+  ASSERT_EQ(picture->height, image->height);
+  for (int y = 0; y < image->height; ++y)
+    for (int x = 0; x < image->width; ++x)
+      for (std::size_t c = 0; c < 3; ++c) {
+        const std::size_t at = 3 * static_cast<std::size_t>(y * image->width + x) + c;
+        ASSERT_EQ(picture->rgb[at], std::lround(255 * image->plane[c](x, y)));
+      }
+  std::filesystem::remove(file);
+}
+
 }  // namespace
 }  // namespace pentimento

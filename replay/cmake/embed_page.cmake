@@ -1,0 +1,12 @@
+# Writes a C++ file that holds the text of a page's files: cmake -DOUTPUT=... -DFOLDER=... -P this.
+file(GLOB files ${FOLDER}/*)
+list(SORT files)
+set(text "// Generated from ${FOLDER}.\n#include \"replay/batch/page_source.h\"\n\nnamespace pentimento {\n")
+string(APPEND text "std::string_view page_source(std::string_view file) {\n")
+foreach(file ${files})
+  get_filename_component(name ${file} NAME)
+  file(READ ${file} source)
+  string(APPEND text "  if (file == \"${name}\") return R\"page(${source})page\";\n")
+endforeach()
+string(APPEND text "  return {};\n}\n}  // namespace pentimento\n")
+file(WRITE ${OUTPUT} "${text}")
