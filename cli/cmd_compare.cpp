@@ -26,8 +26,8 @@ int run_compare(const Arguments& arguments) {
   bool json = false;
   int thread_count = 0;
   CLI::App app(kAbout, "pentimento compare");
-  app.add_option("a", a, "picture or state dump")->required();
-  app.add_option("b", b, "picture or state dump")->required();
+  app.add_option("a", a, "picture or state dump")->required()->type_name("");
+  app.add_option("b", b, "picture or state dump")->required()->type_name("");
   app.add_option("--max", allowed.max, "largest difference allowed in each channel")
       ->check(in_range(0, 1e300))
       ->type_name("N");

@@ -133,28 +133,29 @@ void add_edit_options(CLI::App& app, LogEdits& edits, EditTexts& texts,
   app.add_option("--gravity", edits.gravity_file,
                  "readings of a sensor: CoreMotion, Android or devicemotion")
       ->type_name("FILE");
-  app.add_option("--gravity-as", edits.gravity.as,
-                 "coremotion, android, devicemotion or devicemotion-ios")
-      ->check(CLI::IsMember({"coremotion", "android", "devicemotion", "devicemotion-ios"}))
-      ->type_name("KIND");
+  app.add_option("--gravity-as", edits.gravity.as, "which sensor --gravity holds")
+      ->check(CLI::IsMember({"coremotion", "android", "devicemotion", "devicemotion-ios"})
+                  .description(""))
+      ->type_name("coremotion|android|devicemotion|devicemotion-ios");
   app.add_option("--gravity-turn", edits.gravity.turn_deg,
                  "screen.orientation.angle while it was read (0)")
-      ->check(CLI::IsMember({0, 90, 180, 270}))
-      ->type_name("DEG");
+      ->check(CLI::IsMember({0, 90, 180, 270}).description(""))
+      ->type_name("0|90|180|270");
 }
 
 int run_convert(const Arguments& arguments) {
   ConvertJob job;
   bool json = false, quiet = false;
   CLI::App app(kAbout, "pentimento convert");
-  app.add_option("in", job.input, "a recording; `-` is standard input")->required();
+  app.add_option("in", job.input, "a recording; `-` is standard input")->required()->type_name("");
   app.add_option("-o,--output", job.output,
-                 "the log: .jsonl, .jsonl.gz or .jsonl.zst; `-` is standard output (-)");
+                 "the log: .jsonl, .jsonl.gz or .jsonl.zst; `-` is standard output (-)")
+      ->type_name("FILE");
   app.add_option("--as", job.format, "the format, if the content must not decide")
       ->type_name("FORMAT");
-  app.add_option("--view", job.reading.view, "of 3-D sketches: camera, plane or front (camera)")
+  app.add_option("--view", job.reading.view, "of 3-D sketches (camera)")
       ->transform(CLI::Transformer(kViews))
-      ->type_name("VIEW");
+      ->type_name("camera|plane|front");
   app.add_option("--cells", job.writing.cells, "of a recording's grid, its longer side (1024)")
       ->check(in_range(16, 16384))
       ->type_name("N");

@@ -27,7 +27,8 @@ int run_info(const Arguments& arguments) {
   CLI::App app(kAbout, "pentimento info");
   app.add_option("file", file,
                  "log, recording, state dump (.h5), .png or .exr; `-` is a log on standard input")
-      ->required();
+      ->required()
+      ->type_name("");
   app.add_flag("--json", json, "one JSON object");
   app.add_flag("--salvage", reading.salvage, "of a log that is cut short in its last line");
   app.add_flag("--allow-outside", reading.allow_outside,

@@ -22,8 +22,10 @@ int run_list(const Arguments& arguments) {
   std::string kind, name;
   bool json = false;
   CLI::App app(kAbout, "pentimento list");
-  app.add_option("what", kind, "brushes, pigments, parameters or formats")->required();
-  app.add_option("name", name, "only those with this in their names");
+  app.add_option("what", kind, "what to list")
+      ->required()
+      ->type_name("brushes|pigments|parameters|formats");
+  app.add_option("name", name, "only those with this in their names")->type_name("NAME");
   app.add_flag("--json", json, "one JSON object");
   if (const std::optional<int> code = parse(app, arguments)) return *code;
   const Result<Catalogue> found = catalogue(kind, name);

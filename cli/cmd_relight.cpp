@@ -51,7 +51,7 @@ Result<void> complete(RelightOptions& o) {
 int run_relight(const Arguments& arguments) {
   RelightOptions o;
   CLI::App app(kAbout, "pentimento relight");
-  app.add_option("state", o.job.state, "a state dump (.h5)")->required();
+  app.add_option("state", o.job.state, "a state dump (.h5)")->required()->type_name("");
   app.add_option("--light-path", o.job.light_path,
                  "the lamp moves from frame to frame: orbit, or a file of points X Y Z")
       ->type_name("orbit|FILE");
@@ -69,8 +69,7 @@ int run_relight(const Arguments& arguments) {
   app.add_option("--illuminant", o.job.illuminant,
                  "on spectral paint: A, D50, D65, E, F2, F11, ...")
       ->type_name("NAME");
-  app.add_option("--observer", o.job.observer, "of spectral paint: 1931 or 1964")
-      ->type_name("NAME");
+  app.add_option("--observer", o.job.observer, "of spectral paint")->type_name("1931|1964");
   o.talk.add_to(app);
   if (const std::optional<int> code = parse(app, arguments)) return *code;
   o.job.command = command_line("relight", arguments);

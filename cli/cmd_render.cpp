@@ -62,7 +62,7 @@ void add_replay_options(CLI::App& app, RenderOptions& o) {
       ->check(in_range(0.0, 1e6))
       ->type_name("S");
   app.add_option("--from", o.job.from, "start from a state dump")->type_name("STATE.h5");
-  app.add_option("--scheme", o.scheme, "of the fluid: conservative or paper")->type_name("NAME");
+  app.add_option("--scheme", o.scheme, "of the fluid")->type_name("conservative|paper");
   app.add_option("--set", o.set, "a parameter of the model; repeatable")
       ->allow_extra_args(false)
       ->type_name("model.NAME=VALUE");

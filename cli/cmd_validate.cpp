@@ -36,7 +36,7 @@ int run_validate(const Arguments& arguments) {
   bool quiet = false;
   log::ReaderOptions reading;
   CLI::App app(kAbout, "pentimento validate");
-  app.add_option("log", files, "action logs; `-` is standard input")->required();
+  app.add_option("log", files, "action logs; `-` is standard input")->required()->type_name("");
   app.add_flag("--json", json, "a JSON array with a verdict per log");
   app.add_flag("--quiet", quiet, "say nothing of logs that are right");
   app.add_flag("--allow-outside", reading.allow_outside,

@@ -44,7 +44,7 @@ void add_options(CLI::App& app, VerifyWords& o) {
                  "the program that recorded, to dump and compare its state, too")
       ->type_name("FILE");
   app.add_option("--from", job.from, "start from a state dump")->type_name("STATE.h5");
-  app.add_option("--scheme", o.scheme, "of the fluid: conservative or paper")->type_name("NAME");
+  app.add_option("--scheme", o.scheme, "of the fluid")->type_name("conservative|paper");
   app.add_option("--set", o.set, "a parameter of the model; repeatable")
       ->allow_extra_args(false)
       ->type_name("model.NAME=VALUE");

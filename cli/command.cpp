@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <string_view>
 
+#include "cli/describe.h"
 #include "formats/log/json/nearest_name.h"
 
 namespace pentimento::cli {
@@ -63,6 +64,7 @@ int fail(const Error& error) {
 }
 
 std::optional<int> parse(CLI::App& app, const Arguments& arguments) {
+  if (arguments == Arguments{"--describe"}) return print(describe(app) + "\n");
   try {
     app.parse(Arguments(arguments.rbegin(), arguments.rend()));
   } catch (const CLI::CallForHelp&) {

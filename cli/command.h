@@ -30,7 +30,8 @@ int exit_code(ErrorCode code);
 int fail(const Error& error);
 
 /// Parses `arguments` into the variables bound to `app`. Returns nullopt to go on; else help or a
-/// one-line error was printed, and the result is the exit code. Options may stand in any order.
+/// one-line error was printed, and the result is the exit code. Options may stand in any order. The
+/// one word `--describe` prints the options as JSON (cli/describe.h).
 std::optional<int> parse(CLI::App& app, const Arguments& arguments);
 
 /// Prints on standard output and checks that the text arrived. Returns the exit code.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <string_view>
 
 #include "formats/log/json/nearest_name.h"
@@ -24,6 +25,13 @@ std::string overview(std::span<const Command> commands) {
          "\n`pentimento COMMAND --help` tells more; `pentimento --version` names the build.\n";
 }
 
+/// The names of the commands and what each is for, as JSON.
+std::string described(std::span<const Command> commands) {
+  nlohmann::ordered_json table = nlohmann::ordered_json::array();
+  for (const Command& c : commands) table.push_back({{"name", c.name}, {"about", c.summary}});
+  return table.dump(2) + "\n";
+}
+
 int unknown(std::span<const Command> commands, const std::string& name) {
   std::vector<std::string_view> names;
   for (const Command& command : commands) names.emplace_back(command.name);
@@ -38,6 +46,7 @@ int dispatch(std::span<const Command> commands, const Arguments& arguments) {
   }
   const std::string& name = arguments.front();
   if (name == "--help" || name == "-h" || name == "help") return print(overview(commands));
+  if (name == "--describe") return print(described(commands));
   if (name == "--version") return print(software() + "\n");
   const auto command = std::find_if(commands.begin(), commands.end(),
                                     [&](const Command& c) { return name == c.name; });

@@ -149,9 +149,9 @@ void PictureOptions::add_to(CLI::App& app) {
   app.add_option("--bit-depth", bit_depth, "of PNG")
       ->check(CLI::IsMember({8, 16}).description(""))
       ->type_name("8|16");
-  app.add_option("--profile", profile, "colours of the files: srgb, display-p3 or adobe-rgb")
+  app.add_option("--profile", profile, "colours of the files")
       ->check(CLI::IsMember({"srgb", "display-p3", "adobe-rgb"}).description(""))
-      ->type_name("NAME");
+      ->type_name("srgb|display-p3|adobe-rgb");
   app.add_option("--dither", dither, "noise in PNGs of 8 bit, which hides the steps of gradients")
       ->check(CLI::IsMember({"on", "off"}).description(""))
       ->type_name("on|off");
@@ -161,11 +161,8 @@ void PictureOptions::add_to(CLI::App& app) {
          "extra layers in EXRs, or beside PNGs as NAME.albedo.png ...: albedo, normal, height, "
          "depth, diffuse, specular, reflection, wet, pigment")
       ->type_name("NAME,...");
-  app.add_option(
-         "--debug-view", debug_view,
-         "a field with its scale in place of the picture: height, velocity, pigment, layers, "
-         "wetness")
-      ->type_name("NAME");
+  app.add_option("--debug-view", debug_view, "a field with its scale in place of the picture")
+      ->type_name("height|velocity|pigment|layers|wetness");
   app.add_option("--light", light, "lamp: where it is seen (x right, y up, z out), or `gravity`")
       ->type_name("X,Y,Z");
   app.add_option("--environment", environment, "panorama that lights the picture (HDR, EXR, ...)")
@@ -186,8 +183,7 @@ void PictureOptions::add_to(CLI::App& app) {
       ->type_name("SHARE");
   app.add_option("--white-point", white_point, "of the light that becomes white: K, or x,y of CIE")
       ->type_name("WHITE");
-  app.add_option("--tone-curve", tone_curve, "of PNG and film: none, soft or filmic")
-      ->type_name("NAME");
+  app.add_option("--tone-curve", tone_curve, "of PNG and film")->type_name("none|soft|filmic");
   app.add_option("--exposure", exposure, "of the picture")
       ->check(in_range(-100.0, 100.0))
       ->type_name("STOPS");
@@ -273,7 +269,8 @@ SizeRequest PictureOptions::size() const {
 
 void TalkOptions::add_to(CLI::App& app) {
   app.add_flag("--quiet", quiet, "no progress, no words; errors only");
-  app.add_option("--progress", progress, "auto, tty, ndjson or none")->type_name("MODE");
+  app.add_option("--progress", progress, "how far it is, on standard error")
+      ->type_name("auto|tty|ndjson|none");
   app.add_flag("--json", json, "closing report as JSON on standard output");
 }
 

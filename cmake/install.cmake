@@ -16,15 +16,16 @@ endforeach()
 target_compile_options(core INTERFACE
   $<INSTALL_INTERFACE:$<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=off>>)
 
-install(TARGETS core formats replay EXPORT pentimentoTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(EXPORT pentimentoTargets NAMESPACE pentimento:: DESTINATION ${package_dir})
+install(TARGETS core formats replay EXPORT pentimentoTargets 
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
+install(EXPORT pentimentoTargets NAMESPACE pentimento:: DESTINATION ${package_dir} COMPONENT development)
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/pentimentoConfig.cmake.in
   ${CMAKE_BINARY_DIR}/pentimentoConfig.cmake INSTALL_DESTINATION ${package_dir})
 # Before 1.0 a minor version may break what was; a consumer names the one it was written for.
 write_basic_package_version_file(${CMAKE_BINARY_DIR}/pentimentoConfigVersion.cmake
   COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_BINARY_DIR}/pentimentoConfig.cmake ${CMAKE_BINARY_DIR}/pentimentoConfigVersion.cmake
-  DESTINATION ${package_dir})
+  DESTINATION ${package_dir} COMPONENT development)
 
 # Headers that need more than the standard library and Eigen stay here: those of OpenGL, HDF5 and
 # OpenEXR, and those which include them. tests/install checks that no other header needs more.
@@ -33,6 +34,6 @@ set(private_headers
   chunked dump_source handle lighting_parts detail_checkpoint output_driver read_canvas read_small sleep write_canvas write_small
   chromaticities stream)
 list(JOIN private_headers | private_names)
-install(DIRECTORY core formats replay DESTINATION ${header_dir} FILES_MATCHING PATTERN "*.h"
+install(DIRECTORY core formats replay DESTINATION ${header_dir} COMPONENT development FILES_MATCHING PATTERN "*.h"
   REGEX "/(shading|gl|hdf5|exr)/(${private_names})\\.h$" EXCLUDE
   REGEX "/(shaders|data|cmake|page)$" EXCLUDE)

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
 
 #include "formats/image/read_image.h"
 #include "formats/io/provenance.h"
@@ -24,6 +26,38 @@ TEST(CommandHelp, StandsOnStandardOutputWithExamplesFirst) {
     EXPECT_LT(examples, options) << command;
   }
   EXPECT_EQ(place.run("--version").out.substr(0, 11), "pentimento ");
+}
+
+TEST(CommandDescribe, TellsTheTableOfOptionsAsJson) {
+  const Workplace place;
+  using Json = nlohmann::json;
+  const Json commands = Json::parse(place.run("--describe").out);
+  ASSERT_FALSE(commands.empty());
+  EXPECT_EQ(commands[0]["name"], "render");
+  for (const Json& command : commands) {
+    const std::string name = command["name"];
+    const Ran ran = place.run(name + " --describe");
+    EXPECT_EQ(ran.code, 0) << name;
+    EXPECT_EQ(Json::parse(ran.out)["name"], "pentimento " + name);
+  }
+  const Json list = Json::parse(place.run("list --describe").out)["options"];
+  ASSERT_EQ(list.size(), 4u);
+  EXPECT_EQ(list[0]["names"], Json({"-h", "--help"}));
+  EXPECT_EQ(list[1]["names"], Json::array());
+  EXPECT_EQ(list[1]["choices"], Json({"brushes", "pigments", "parameters", "formats"}));
+  EXPECT_TRUE(list[1]["required"]);
+  EXPECT_FALSE(list[2]["required"]);
+  EXPECT_EQ(list[3]["value"], "");
+}
+
+TEST(CommandDescribe, TellsWhatMayBeGivenManyTimes) {
+  const Workplace place;
+  const nlohmann::json table = nlohmann::json::parse(place.run("render --describe").out);
+  std::set<std::string> repeatable;
+  for (const auto& option : table["options"]) {
+    if (option["repeatable"]) repeatable.insert(option["names"].back());
+  }
+  EXPECT_EQ(repeatable, (std::set<std::string>{"--at", "--lamp", "--output", "--set"}));
 }
 
 TEST(CommandRelight, InTheSameLightItIsTheRender) {

@@ -17,6 +17,7 @@ import sys
 CLI = "docs/cli.md"
 HISTORY = ("CHANGELOG.md",)
 COMMANDS = ("render", "relight", "info", "validate", "convert", "list", "compare", "verify", "batch", "batch-report")
+EVERYWHERE = {"--help", "--describe"}
 HELP_LINE = re.compile(r"^  (?:-\w,)?(--[\w-]+)(.*)$")
 OPTION = re.compile(r"(?<![\w-])(--[a-z][\w-]*)")
 CODE = re.compile(r"`([^`]+)`(?:\s+\((\d[\d.]*)\))?")
@@ -50,12 +51,12 @@ def sections(text):
 
 def check_page(text, options):
     """What docs/cli.md says wrongly."""
-    everything = set().union(*options.values()) - {"--help"}
+    everything = set().union(*options.values()) - EVERYWHERE
     problems = [f"{CLI}: leaves out {option}" for option in sorted(everything - set(OPTION.findall(text)))]
     for about, body in sections(text):
         own = set().union(*(options[name] for name in about))
         problems += [f"{CLI}: {' and '.join(about)} has no option {option}"
-                     for option in sorted(set(OPTION.findall(body)) - own - {"--help"})]
+                     for option in sorted(set(OPTION.findall(body)) - own - EVERYWHERE)]
         for code, default in CODE.findall(body):
             option = OPTION.match(code)
             line = " ".join(options[name].get(option[1], "") for name in about) if option else ""
