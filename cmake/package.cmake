@@ -23,7 +23,7 @@ set(CPACK_DEBIAN_COMMAND_PACKAGE_RECOMMENDS "libosmesa6 | libegl1, libgl1-mesa-d
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libpentimento-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SHLIBDEPS OFF)
-# What pentimentoConfig.cmake looks for.
+# What find_package(pentimento) looks for in its turn.
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libeigen3-dev, libtbb-dev, libfmt-dev, libsimdjson-dev, libpugixml-dev, \
 libzip-dev, libprotobuf-dev, libzstd-dev, zlib1g-dev, libssl-dev, libxxhash-dev, libhdf5-dev, libpng-dev, \
 libopenexr-dev, liblcms2-dev")
