@@ -24,6 +24,11 @@ def _within(name: str, value: float, low: float, high: float) -> float:
     return value
 
 
+def _microseconds(seconds: float) -> int:
+    """What a log counts time in."""
+    return math.floor(seconds * 1e6 + 0.5)
+
+
 def header(width_m: float, height_m: float, *, grid: Optional[tuple[int, int]] = None,
            palette: Iterable[Pigment] = (), brushes: Iterable[Mapping[str, Any]] = (),
            **more: Any) -> dict[str, Any]:
@@ -54,6 +59,9 @@ class Stroke:
         self._speed_m_s = speed_m_s
         self._touch = touch
         self._last: Optional[tuple[float, float, dict[str, Any]]] = None
+        # The hand has gone so far since then without a change of its speed, and was there at `_at_us`.
+        self._way_m = 0.0
+        self._since_us = self._at_us = session._time_us
 
     def to(self, x_m: float, y_m: float, pressure: Optional[float] = None, *, tilt_x: Optional[float] = None,
            tilt_y: Optional[float] = None, twist: Optional[float] = None, dt_s: Optional[float] = None) -> "Stroke":
@@ -66,11 +74,21 @@ class Stroke:
         if self._last is None:
             self._session._event("touch", phase="down", id=self._touch, **sample)
         else:
-            way_m = math.hypot(x_m - self._last[0], y_m - self._last[1])
-            self._session.wait(way_m / self._speed_m_s if dt_s is None else dt_s)
+            self._go(x_m - self._last[0], y_m - self._last[1], dt_s)
             self._session._event("touch", phase="move", id=self._touch, **sample)
         self._last = (x_m, y_m, sample)
+        self._at_us = self._session._time_us
         return self
+
+    def _go(self, x_m: float, y_m: float, dt_s: Optional[float]) -> None:
+        """Time passes. It is rounded for the whole way, as Canvas does it, not for each part."""
+        if dt_s is not None:
+            self._session.wait(dt_s)
+        if dt_s is not None or self._at_us != self._session._time_us:
+            self._way_m, self._since_us = 0.0, self._session._time_us
+        if dt_s is None:
+            self._way_m += math.sqrt(x_m * x_m + y_m * y_m)
+            self._session._time_us = self._since_us + _microseconds(self._way_m / self._speed_m_s)
 
     def _end(self) -> None:
         if self._last is not None:
@@ -88,7 +106,7 @@ class Session:
         self._header = header(width_m, height_m, **more)
         self._own_brushes = [brush["name"] for brush in self._header.get("brushes", [])]
         self._palette = [paint["name"] for paint in self._header.get("palette", [])]
-        self._time_s = 0.0
+        self._time_us = 0
         self._touches = 0
         self._close = False
         if isinstance(file, io.TextIOBase) or hasattr(file, "write"):
@@ -105,7 +123,7 @@ class Session:
     @property
     def time_s(self) -> float:
         """The time of the next event."""
-        return self._time_s
+        return self._time_us / 1e6
 
     def __enter__(self) -> "Session":
         return self
@@ -174,7 +192,7 @@ class Session:
 
     def wait(self, seconds: float) -> None:
         """Time passes, and wet paint moves."""
-        self._time_s += _within("seconds", seconds, 0, 9e9)
+        self._time_us += _microseconds(_within("seconds", seconds, 0, 9e9))
 
     def gravity(self, x: float, y: float, z: float) -> None:
         """What an accelerometer reads, m/s^2: (0, 0, 9.81) lies face up, (0, 9.81, 0) stands upright."""
@@ -226,7 +244,7 @@ class Session:
         self._event("x-" + kind, **members)
 
     def _event(self, kind: str, **members: Any) -> None:
-        self._write({"t": round(self._time_s, 6), "type": kind, **members})
+        self._write({"t": self._time_us / 1e6, "type": kind, **members})
 
     def _write(self, line: Mapping[str, Any]) -> None:
         self._file.write(json.dumps(line, allow_nan=False) + "\n")

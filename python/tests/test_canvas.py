@@ -2,6 +2,7 @@
 
 import json
 import os
+import random
 import subprocess
 
 import numpy as np
@@ -43,9 +44,29 @@ def test_the_hash_is_the_commands_for_the_same_strokes(tmp_path):
     painted = canvas()
     paint(painted)
     assert painted.time_s == pytest.approx(end_s, abs=1e-5)
-    painted.step(report["steps"] - painted.steps)
-    assert painted.steps == report["steps"]
+    assert painted.step().steps == report["steps"]
     assert painted.state_sha256 == report["state_sha256"]
+
+
+def test_fast_strokes_of_many_points_end_in_the_commands_hash_too(tmp_path):
+    """The times of their points are no whole microseconds: they must be rounded alike."""
+    colours = ["#80a040", "#ffffff", "#201008"]
+    log = tmp_path / "a.jsonl"
+    numbers = random.Random(1)
+    painted = pentimento.Canvas(1, 0.7, grid=(120, 84), palette=colours)
+    palette = [{"name": name, "color": name} for name in colours]
+    with pentimento.Session(log, 1, 0.7, grid=(120, 84), palette=palette) as session:
+        for on in (painted, session):
+            on.brush("flat", size_m=0.05, medium=0.45, pickup=0.15)
+        for i in range(12):
+            points = [(numbers.uniform(-0.1, 1.1), numbers.uniform(0, 0.7)) for _ in range(5)]
+            for on in (painted, session):
+                on.color(colours[i % 3])
+            painted.paint(points, speed_m_s=1.7)
+            session.spline(points, speed_m_s=1.7)
+    told = subprocess.run([COMMAND, "render", log, "-o", tmp_path / "a.png", "--json", "--quiet"], check=True,
+                          capture_output=True, text=True)
+    assert painted.step().state_sha256 == json.loads(told.stdout)["state_sha256"]
 
 
 def test_the_state_is_a_view_of_what_is_there():

@@ -33,6 +33,12 @@ std::int64_t microseconds(double seconds) {
   return static_cast<std::int64_t>(seconds * kMicroseconds + 0.5);
 }
 
+/// By sqrt: hypot() may differ in the last bit from that of another who writes the same log.
+double distance_m(const StrokePoint& a, const StrokePoint& b) {
+  const double x = b.x_m - a.x_m, y = b.y_m - a.y_m;
+  return std::sqrt(x * x + y * y);
+}
+
 Result<SimulationSetup> setup_of(const log::Header& header, const Palette& palette,
                                  LogFiles& files) {
   SimulationSetup setup = simulation_setup(header, header.model);
@@ -155,7 +161,7 @@ std::vector<TouchSample> Easel::Impl::samples_of(const std::vector<StrokePoint>&
   double length_m = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const StrokePoint& point = points[i];
-    if (i > 0) length_m += std::hypot(point.x_m - points[i - 1].x_m, point.y_m - points[i - 1].y_m);
+    if (i > 0) length_m += distance_m(points[i - 1], point);
     TouchSample sample;
     sample.x_m = point.x_m;
     sample.y_m = point.y_m;

@@ -16,11 +16,13 @@ import pentimento
 
 WIDTH_M = 1.0
 COLUMNS = 240
-PAINTS = 20
+PAINTS = 24
 #: Diameter of the brush in metres, and its share of the strokes.
-BRUSHES = ((0.14, 0.08), (0.07, 0.17), (0.035, 0.30), (0.018, 0.45))
+BRUSHES = ((0.12, 0.06), (0.06, 0.16), (0.03, 0.33), (0.015, 0.45))
 SPEED_M_S = 2.0
 TRIES = 3
+#: A stroke mixes with the wet paint below. Its own colour lies beyond the one that is wanted by this share of the difference.
+BEYOND = 0.4
 
 
 def paints_of(pixels, count):
@@ -71,20 +73,21 @@ class Painter:
         """So many strokes with one brush."""
         radius = max(1, round(size_m / self.cell_m / 2))
         goal = blurred(self.target, max(1, radius // 2))
-        slope_y, slope_x = np.gradient(blurred(goal.mean(axis=2), max(1, radius // 2)))
+        along = self.along(goal, radius)
         sliders = dict(size_m=size_m, medium=0.45, pickup=0.15)
         self.canvas.brush("flat" if size_m > 0.03 else "round", **sliders)
         self.log.brush("flat" if size_m > 0.03 else "round", **sliders)
         for _ in range(strokes):
-            self.stroke(goal, slope_x, slope_y, radius)
+            self.stroke(goal, along, radius)
 
-    def stroke(self, goal, slope_x, slope_y, radius):
+    def stroke(self, goal, along, radius):
         error = ((self.picture - goal) ** 2).sum(axis=2)
         wanted = blurred(error, radius)
         for _ in range(TRIES):
             row, column = self.place(wanted)
-            points = self.path(goal, slope_x, slope_y, row, column, radius)
-            name = self.names[((self.paints - goal[row, column]) ** 2).sum(axis=1).argmin()]
+            points = self.path(goal, along, row, column, radius)
+            colour = goal[row, column] + BEYOND * (goal[row, column] - self.picture[row, column])
+            name = self.names[((self.paints - colour) ** 2).sum(axis=1).argmin()]
             trial = self.canvas.fork()
             trial.color(name).paint(points, SPEED_M_S)
             picture = trial.picture() / np.float32(255)
@@ -103,22 +106,26 @@ class Painter:
         worst = wanted[rows, columns].argmax()
         return int(rows[worst]), int(columns[worst])
 
-    def path(self, goal, slope_x, slope_y, row, column, radius):
+    @staticmethod
+    def along(goal, radius):
+        """Where lines of equal light run: across the main direction of the slopes around."""
+        slope_y, slope_x = np.gradient(goal.mean(axis=2))
+        xx, yy, xy = (blurred(product, radius) for product in (slope_x**2, slope_y**2, slope_x * slope_y))
+        angle = np.arctan2(2 * xy, xx - yy) / 2 + np.pi / 2
+        return np.stack([np.cos(angle), np.sin(angle)], axis=2)
+
+    def path(self, goal, along, row, column, radius):
         """Along a line of equal light, as long as the photograph has this colour there."""
-        points, colour, before = [], goal[row, column], None
+        points, colour, before = [], goal[row, column], np.zeros(2)
         x, y = column + 0.5, row + 0.5
-        while len(points) < 8:
+        while len(points) < 9:
             points.append((x * self.cell_m, y * self.cell_m))
             i = min(max(int(y), 0), goal.shape[0] - 1), min(max(int(x), 0), goal.shape[1] - 1)
-            if len(points) > 2 and ((goal[i] - colour) ** 2).sum() > 0.02:
+            if len(points) > 3 and ((goal[i] - colour) ** 2).sum() > 0.03:
                 break
-            along = np.array([-slope_y[i], slope_x[i]])
-            length = np.hypot(*along)
-            along = along / length if length > 1e-4 else np.array([1.0, 0.2]) if before is None else before
-            if before is not None and along @ before < 0:
-                along = -along
-            before = along
-            x, y = x + 1.4 * radius * along[0], y + 1.4 * radius * along[1]
+            way = along[i] if along[i] @ before >= 0 else -along[i]
+            before = way
+            x, y = x + 1.4 * radius * way[0], y + 1.4 * radius * way[1]
         return points
 
 
@@ -130,7 +137,7 @@ def main():
             painter.level(size_m, round(share * strokes))
     off = float(np.sqrt(((painter.picture - painter.target) ** 2).mean()))
     print(f"{painter.kept} strokes kept, {painter.refused} refused; off by {off:.3f} of full scale; "
-          f"state {painter.canvas.state_sha256}")
+          f"state {painter.canvas.step().state_sha256}")
 
 
 main()
