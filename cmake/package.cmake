@@ -15,8 +15,8 @@ set(CPACK_COMPONENTS_ALL command development)
 set(CPACK_DEBIAN_COMMAND_PACKAGE_NAME pentimento)
 set(CPACK_DEBIAN_COMMAND_PACKAGE_SECTION graphics)
 set(CPACK_COMPONENT_COMMAND_DESCRIPTION "replays recorded oil-painting sessions
- A log of touches, gravity and sliders becomes the oil painting that it was, at any size:
- a picture (PNG, EXR), a film, or the state of the paint (HDF5).")
+A log of touches, gravity and sliders becomes the oil painting that it was, at any size:
+a picture (PNG, EXR), a film, or the state of the paint (HDF5).")
 # Mesa shades the picture. It is loaded when the first picture is made: states need none.
 set(CPACK_DEBIAN_COMMAND_PACKAGE_RECOMMENDS "libosmesa6 | libegl1, libgl1-mesa-dri")
 
@@ -28,8 +28,8 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libeigen3-dev, libtbb-dev, libfmt-
 libzip-dev, libprotobuf-dev, libzstd-dev, zlib1g-dev, libssl-dev, libxxhash-dev, libhdf5-dev, libpng-dev, \
 libopenexr-dev, liblcms2-dev")
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "libraries of pentimento
- The oil-paint simulation, its file formats and the replay of logs, as static libraries for C++20,
- with headers and what find_package(pentimento) reads.")
+The oil-paint simulation, its file formats and the replay of logs, as static libraries for C++20,
+with headers and what find_package(pentimento) reads.")
 
 if(TARGET pentimento_engine)
   list(APPEND CPACK_COMPONENTS_ALL python)
@@ -45,7 +45,7 @@ if(TARGET pentimento_engine)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "pentimento (= ${PROJECT_VERSION})")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-h5py, python3-distributed")
   set(CPACK_COMPONENT_PYTHON_DESCRIPTION "oil paint for Python
- Writes logs of painting sessions, reads states as numpy arrays, and paints in process.")
+Writes logs of painting sessions, reads states as numpy arrays, and paints in process.")
 endif()
 
 # Each package says under which terms it may be used.

@@ -14,7 +14,8 @@ import tempfile
 import unittest
 
 PACKAGES = pathlib.Path(sys.argv.pop(1)) if len(sys.argv) > 1 else pathlib.Path("build/packages")
-LOG = ('{"pentimento":1,"canvas":{"width_m":0.1,"height_m":0.075,"grid":[64,48]},"palette":["Titanium White"]}\n'
+LOG = ('{"type":"header","format":"pentimento-log","version":1,"canvas":{"width":0.1,"height":0.075},'
+       '"grid":{"width":64,"height":48},"palette":[{"name":"Titanium White"}]}\n'
        '{"t":0,"type":"touch","id":1,"phase":"down","x":0.02,"y":0.04,"pressure":0.6}\n'
        '{"t":0.2,"type":"touch","id":1,"phase":"move","x":0.08,"y":0.04,"pressure":0.6}\n'
        '{"t":0.25,"type":"touch","id":1,"phase":"up","x":0.08,"y":0.04}\n')
@@ -58,7 +59,7 @@ class PackageTest(unittest.TestCase):
     def test_each_command_has_a_page_that_man_reads(self):
         command = self.root / "pentimento/usr/bin/pentimento"
         folder = self.root / "pentimento/usr/share/man/man1"
-        names = re.findall(r"^  (\S+)  ", run(command, "--help").split("Commands:")[1], re.M)
+        names = re.findall(r"^  (\S+) +", run(command, "--help").split("Commands:")[1], re.M)
         self.assertGreaterEqual(len(names), 10)
         for name in names:
             pages = list(folder.glob(f"pentimento-{name}.1*"))
