@@ -1,7 +1,8 @@
 #pragma once
 // The easel: a canvas to paint on from C++, without a log. A stroke takes the time that a hand
 // needs for it, and the paint flows meanwhile. The replay of a log with the same strokes also does
-// the step that its last event lies in: after step(1) both states are the same, bit for bit. Only one thread at a time may use an easel.
+// the step that its last event lies in: after step(1) both states are the same, bit for bit. Only
+// one thread at a time may use an easel.
 
 #include <cstdint>
 #include <memory>
