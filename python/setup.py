@@ -1,6 +1,6 @@
 """Builds the engine with the project's own CMake, from the tree that this folder lies in.
 
-PENTIMENTO_BUILD names a folder in which that has been done before; then only what changed is compiled.
+PENTIMENTO_BUILD names a folder, seen from the tree, in which that has been done before; then only what changed is compiled.
 """
 
 import os
@@ -19,7 +19,7 @@ class CMakeBuild(build_ext):
     """Compiles pentimento_engine and puts it beside the package's sources."""
 
     def build_extension(self, ext):
-        build = pathlib.Path(os.environ.get("PENTIMENTO_BUILD") or pathlib.Path(self.build_temp).resolve())
+        build = TREE / (os.environ.get("PENTIMENTO_BUILD") or pathlib.Path(self.build_temp).resolve())
         if not (build / "CMakeCache.txt").exists():
             subprocess.run(["cmake", "-S", str(TREE), "-B", str(build), "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
                             "-DPENTIMENTO_TESTS=OFF", "-DPENTIMENTO_BENCH=OFF", f"-DPENTIMENTO_PYTHON={sys.executable}"],

@@ -26,11 +26,12 @@ def main():
     with tempfile.TemporaryDirectory() as name:
         scratch = pathlib.Path(name)
         subprocess.run([sys.executable, "-m", "venv", "--system-site-packages", scratch / "venv"], check=True)
-        # Pip builds in the folder that it is given.
+        # Pip builds in the folder that it is given, and is told of a build beside it by a relative name, as docs/python.md does.
+        (scratch / "build").symlink_to(build.resolve())
         shutil.copytree(source / "python", scratch / "python",
                         ignore=shutil.ignore_patterns("build", "*.egg-info", "__pycache__", "*.so"))
         subprocess.run([scratch / "venv/bin/pip", "install", "--quiet", "--no-index", "--no-build-isolation", "--no-deps",
-                        scratch / "python"], check=True, env={**os.environ, "PENTIMENTO_BUILD": str(build)})
+                        scratch / "python"], check=True, env={**os.environ, "PENTIMENTO_BUILD": "build"})
         painted = subprocess.run([scratch / "venv/bin/python", "-c", FIRST_PICTURE], check=True, cwd=scratch,
                                  capture_output=True, text=True).stdout.split()
         assert painted[0].startswith(str(scratch / "venv")), painted
