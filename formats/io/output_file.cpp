@@ -5,12 +5,12 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <atomic>
 #include <cerrno>
 #include <cstring>
-#include <filesystem>
-#include <system_error>
 #include <utility>
+
+#include "formats/io/file_place.h"
+#include "formats/io/part_file.h"
 
 namespace pentimento {
 
@@ -18,27 +18,6 @@ namespace {
 
 constexpr std::size_t kBufferBytes = std::size_t{1} << 20;
 constexpr int kStreamFile = STDOUT_FILENO;
-
-/// The folder that holds `target`; "." for a bare name.
-std::string folder_of(const std::string& target) {
-  const std::string folder = std::filesystem::path(target).parent_path().string();
-  return folder.empty() ? "." : folder;
-}
-
-/// The temporary name is short whatever the target is called, so that a target with a long name
-/// works.
-std::string temporary_name(const std::string& target) {
-  static std::atomic<unsigned> counter{0};
-  return fmt::format("{}/.pentimento-{}-{}.part", folder_of(target), ::getpid(), counter++);
-}
-
-/// Follows a link, so that publishing replaces the file and not the link.
-std::string follow_links(const std::string& path) {
-  std::error_code error;
-  if (!std::filesystem::is_symlink(path, error)) return path;
-  const std::filesystem::path whole = std::filesystem::weakly_canonical(path, error);
-  return error ? path : whole.string();
-}
 
 /// Writes all bytes; returns 0 or errno.
 int write_all(int descriptor, const std::uint8_t* bytes, std::size_t count) {
@@ -86,7 +65,7 @@ Result<void> OutputFile::open_temporary(bool no_clobber) {
     }
     if (no_clobber) return io_error(EEXIST);
   }
-  temporary_ = temporary_name(target_);
+  temporary_ = part_name(target_);
   descriptor_ = ::open(temporary_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   if (descriptor_ >= 0) return {};
   const Error error = io_error(errno);

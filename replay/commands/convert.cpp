@@ -16,6 +16,7 @@
 #include "formats/log/reader.h"
 #include "formats/log/stream/log_start.h"
 #include "replay/job/report_object.h"
+#include "replay/output/output_claim.h"
 
 namespace pentimento {
 
@@ -229,6 +230,11 @@ std::string list_text(const char* what, const std::vector<std::string>& texts) {
 Result<ConvertFacts> convert(const ConvertJob& job) {
   ConvertFacts facts;
   facts.input = job.input;
+  const std::vector<InputFile> inputs = {{job.input, "the recording"},
+                                         {job.edits.merged_log, "the log of --merge"},
+                                         {job.edits.gravity_file, "the file of --gravity"}};
+  const Result<OutputClaim> claim = OutputClaim::take({job.output}, {job.output}, inputs);
+  if (!claim) return claim.error();
   std::unique_ptr<log::EditingWriter> writer;
   const bool from_log =
       job.format == kLogName || (job.format.empty() && log::starts_like_a_log(job.input));

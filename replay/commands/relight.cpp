@@ -12,6 +12,7 @@
 #include "replay/job/stopwatch.h"
 #include "replay/output/effective.h"
 #include "replay/output/frame_name.h"
+#include "replay/output/output_claim.h"
 #include "replay/output/output_plan.h"
 #include "replay/output/output_set.h"
 #include "replay/play/copies.h"
@@ -135,10 +136,18 @@ Result<JobReport> relight(const RelightJob& job, const Control& control) {
   if (!size) return size.error();
 
   const Threads threads(job.threads);
-  const OutputSettings settings{job.picture, *size, threads.count(), control};
+  const std::vector<InputFile> inputs = {{job.state, "the state"},
+                                         {job.light.environment, "the picture of --environment"},
+                                         {job.light_path, "the file of --light-path"}};
+  const OutputSettings settings{job.picture, *size, threads.count(), control, inputs};
   OutputSet set(settings, watch);
   Result<std::vector<Frame>> frames = plan_frames(job, dump->lighting.lamps.front());
   if (!frames) return frames.error();
+  std::vector<std::vector<PlannedOutput>> outputs;
+  for (const Frame& frame : *frames) outputs.push_back(frame.outputs);
+  const Result<OutputClaim> claim =
+      OutputClaim::take(job.picture.outputs, paths_of(outputs), inputs);
+  if (!claim) return claim.error();
   const Scene scene{canvas, dump->basis, dump->model, dump->lighting,
                     dump->fine ? &guide : nullptr};
   for (const Frame& frame : *frames) {

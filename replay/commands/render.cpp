@@ -14,6 +14,7 @@
 #include "replay/job/stopwatch.h"
 #include "replay/output/canvas_view.h"
 #include "replay/output/effective.h"
+#include "replay/output/output_claim.h"
 #include "replay/output/output_plan.h"
 #include "replay/output/output_set.h"
 #include "replay/play/copies.h"
@@ -43,7 +44,8 @@ class Replay {
         control_(control),
         watch_(watch),
         threads_(job.threads),
-        settings_{job.picture, session.size, threads_.count(), control},
+        settings_{job.picture, session.size, threads_.count(), control,
+                  inputs_of(job, session.files)},
         outputs_(settings_, watch),
         lighting_(first_lighting(session), session.reader->header().steps_per_second) {}
 
@@ -51,6 +53,7 @@ class Replay {
 
  private:
   Result<void> begin();
+  Result<void> claim_outputs();
   Result<void> begin_hashes();
   Result<void> play();
   Result<void> play_to_stop(std::size_t stop);
@@ -68,6 +71,7 @@ class Replay {
   Stopwatch& watch_;
   Threads threads_;
   OutputSettings settings_;
+  OutputClaim claim_;
   OutputSet outputs_;
   LightingTrack lighting_;
   LightOverride light_;
@@ -127,6 +131,7 @@ Result<void> Replay::begin() {
       film_ ? film_->files : plan_outputs(job_.picture.outputs, job_.stops);
   if (!files) return files.error();
   files_ = std::move(*files);
+  if (Result<void> claimed = claim_outputs(); !claimed) return claimed;
   watch_.start("prepare");
   // The light that the options ask for.
   Result<LightOverride> light = LightOverride::make(job_.light);
@@ -157,6 +162,19 @@ Result<void> Replay::begin() {
   player_ = std::make_unique<Player>(PlayerInput{*timeline_, *simulation_, *hand_, lighting_,
                                                  session_.files, control_, session_.steps,
                                                  hashes_.get()});
+  return {};
+}
+
+Result<void> Replay::claim_outputs() {
+  std::vector<std::string> patterns = job_.picture.outputs;
+  std::vector<std::string> written = paths_of(files_);
+  if (!job_.hashes.empty()) {
+    patterns.push_back(job_.hashes);
+    written.push_back(job_.hashes);
+  }
+  Result<OutputClaim> claim = OutputClaim::take(patterns, written, settings_.inputs);
+  if (!claim) return claim.error();
+  claim_ = std::move(*claim);
   return {};
 }
 

@@ -3,10 +3,9 @@
 #include <memory>
 #include <utility>
 
-#include "replay/log/brushes.h"
 #include "replay/log/log_files.h"
 #include "replay/log/swatch.h"
-#include "replay/paper/paper_relief.h"
+#include "replay/session/header_files.h"
 #include "replay/session/log_plan.h"
 
 namespace pentimento {
@@ -34,12 +33,8 @@ Result<LogFacts> validate_log(const std::string& path, const log::ReaderOptions&
   LogFacts facts;
   facts.header = (*reader)->header();
   LogFiles files(path, reading.allow_outside);
-  Result<BrushTable> brushes = BrushTable::make(facts.header, files);
+  const Result<BrushTable> brushes = open_header_files(facts.header, files);
   if (!brushes) return brushes.error();
-  if (!is_builtin_paper(facts.header.paper.texture)) {
-    Result<std::string> texture = files.use(facts.header.paper.texture);
-    if (!texture) return texture.error();
-  }
   Result<log::Summary> summary = log::summarize(**reader);
   if (!summary) return summary.error();
   facts.summary = std::move(*summary);

@@ -10,6 +10,7 @@
 #include "replay/commands/render.h"
 #include "replay/compare/compare.h"
 #include "replay/job/step_clock.h"
+#include "replay/output/output_claim.h"
 #include "replay/play/player.h"
 #include "replay/process/child.h"
 #include "replay/session/log_session.h"
@@ -151,6 +152,16 @@ Result<void> explain(const VerifyRequest& request, const Control& control, Verif
              ? Result<void>()
              : ask_recorder(request, replay_words(request.job), control, report);
 }
+
+Result<OutputClaim> claim_dumps(const VerifyRequest& request, const LogFiles& named_files) {
+  if (request.dumps.empty()) return OutputClaim();
+  std::vector<InputFile> inputs = inputs_of(request.job, named_files);
+  inputs.push_back({request.hashes, "the hashes"});
+  std::vector<std::string> dumps;
+  for (const char* part : {"before", "after", "recorded"})
+    dumps.push_back(named(request.dumps, part));
+  return OutputClaim::take({request.dumps}, dumps, inputs);
+}
 }  // namespace
 
 Result<VerifyReport> verify(const VerifyRequest& request, const Control& control) {
@@ -163,6 +174,8 @@ Result<VerifyReport> verify(const VerifyRequest& request, const Control& control
   if (!recorded) return recorded.error();
   Result<LogSession> session = open_session(request.job, control);
   if (!session) return session.error();
+  const Result<OutputClaim> claim = claim_dumps(request, session->files);
+  if (!claim) return claim.error();
   const HashHeader& header = (*recorded)->header();
   if (Result<void> fits = check_origin(header, *session, request); !fits) return fits.error();
   VerifyReport report;

@@ -27,6 +27,8 @@ class LogFiles {
 
   /// The name of the log in messages.
   const std::string& log_name() const { return log_path_; }
+  /// Name in the log -> path to open, for all used so far.
+  const std::map<std::string, std::string>& paths() const { return paths_; }
   /// Name in the log -> SHA-256 (hex) of the file, for all used so far.
   const std::map<std::string, std::string>& hashes() const { return hashes_; }
 

@@ -149,9 +149,11 @@ Result<void> OutputSet::create(const PlannedOutput& output, const Scene& scene,
                       {}});
 }
 
-/// Two files must not have the same name. The names of AOV pictures are not known when outputs are
-/// planned, so the check is here.
+/// Two files must not have the same name, and none that of an input. The names of AOV pictures are
+/// not known when outputs are planned, so the check is here.
 Result<void> OutputSet::add_pending(Pending pending) {
+  if (Result<void> stay = check_inputs_stay({pending.file.file}, settings_.inputs); !stay)
+    return stay;
   for (const Pending& other : pending_) {
     if (other.file.file == pending.file.file && other.file.file != "-") {
       return Error{ErrorCode::kUsage, other.file.file + ": is written twice"};

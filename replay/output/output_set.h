@@ -15,6 +15,7 @@
 #include "replay/job/report.h"
 #include "replay/job/stopwatch.h"
 #include "replay/output/effective.h"
+#include "replay/output/input_guard.h"
 #include "replay/output/output_plan.h"
 
 namespace pentimento {
@@ -34,6 +35,7 @@ struct OutputSettings {
   OutputSize size;
   int threads = 1;
   const Control& control;
+  std::vector<InputFile> inputs = {};  // which no file may replace
 };
 
 class OutputSet {

@@ -11,6 +11,7 @@
 #include "replay/paper/paper_relief.h"
 #include "replay/play/changed_canvas.h"
 #include "replay/play/channel_change.h"
+#include "replay/session/header_files.h"
 #include "replay/session/simulation_setup.h"
 
 namespace pentimento {
@@ -169,7 +170,7 @@ Result<LogSession> open_session(const RenderJob& job, const Control& control) {
   if (!model) return model.error();
   session.model = *model;
   if (job.gravity) session.gravity = {(*job.gravity)[0], (*job.gravity)[1], (*job.gravity)[2]};
-  Result<BrushTable> brushes = BrushTable::make(header, session.files);
+  Result<BrushTable> brushes = open_header_files(header, session.files);
   if (!brushes) return brushes.error();
   session.brushes = std::move(*brushes);
   control.report({"read", 0, 0});
