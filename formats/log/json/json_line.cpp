@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "core/base/check.h"
+#include "formats/log/json/json_fault.h"
 #include "formats/log/json/json_scan.h"
 #include "formats/log/json/json_text.h"
 
@@ -140,7 +141,9 @@ std::string parse_problem(simdjson::error_code error, std::string_view line, int
   }
   if (ends_inside_json(line)) return "not valid JSON: it does not end";
   std::string number = unfit_number(line);
-  return number.empty() ? "not valid JSON" : number;
+  if (!number.empty()) return number;
+  const std::string fault = json_fault(line);
+  return fault.empty() ? "not valid JSON" : "not valid JSON: " + fault;
 }
 
 }  // namespace

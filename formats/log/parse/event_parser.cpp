@@ -163,7 +163,6 @@ constexpr EventType kTypes[] = {
 };
 
 std::string unknown_type(std::string_view type) {
-  if (type == "header") return "a second header";
   std::array<std::string_view, std::size(kTypes)> names;
   std::transform(std::begin(kTypes), std::end(kTypes), names.begin(),
                  [](const EventType& known) { return known.name; });
@@ -175,8 +174,10 @@ std::string unknown_type(std::string_view type) {
 std::string parse_event(const JsonLine& json, std::string_view text, Event& event) {
   Fields fields(json, json.nodes()[0]);
   event.extensions.clear();
+  const std::optional<std::string_view> named = fields.text_view("type");
+  if (named == "header") return "a second header";  // it has no time
   const double time_s = fields.required("t", fields.number("t", kTimeRange));
-  const std::string_view type = fields.required("type", fields.text_view("type"));
+  const std::string_view type = fields.required("type", named);
   if (!fields.ok()) return fields.finish();
   event.time_us = std::llround(time_s * 1e6);
   if (type.starts_with("x-")) {

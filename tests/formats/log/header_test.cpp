@@ -101,7 +101,7 @@ const BadHeader kIdentity[] = {
     {"\n \r\n", "the log is empty"},
     {"{\"t\":0,\"type\":\"dry\"}\n", R"(line 1 is not a header: its type is not "header")"},
     {"{}\n", R"(line 1 is not a header: its type is not "header")"},
-    {"hello\n", "not valid JSON"},
+    {"hello\n", "not valid JSON: column 1: invalid literal"},
     {"\xef\xbb\xbf{}\n", "the log starts with a byte order mark, to be left out"},
     {"\xff\xfe{", "the log starts with UTF-16, not UTF-8"},
     {R"({"type":"header","format":"other","version":1})",
