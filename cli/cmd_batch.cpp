@@ -101,7 +101,7 @@ int run_batch_command(const Arguments& arguments) {
   if (!mode) return fail(mode.error());
   ProgressPrinter printer(*mode);
   Result<BatchSummary> summary = run_batch(o.request, make_control(printer, o.talk));
-  if (!summary) return fail(summary.error());
+  if (!summary) return printer.fail(summary.error());
   const int printed = o.talk.json    ? print(batch_json(*summary) + "\n")
                       : o.talk.quiet ? 0
                                      : print(batch_text(*summary));

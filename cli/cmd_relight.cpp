@@ -78,8 +78,8 @@ int run_relight(const Arguments& arguments) {
   if (!mode) return fail(mode.error());
   ProgressPrinter printer(*mode);
   Result<JobReport> done = relight(o.job, make_control(printer, o.talk));
-  if (!done) return fail(done.error());
-  return report(*done, o.talk);
+  if (!done) return printer.fail(done.error());
+  return report(*done, o.talk, printer);
 }
 
 }  // namespace pentimento::cli

@@ -13,6 +13,7 @@
 #include "cli/range.h"
 #include "cli/talk.h"
 #include "cli/values.h"
+#include "formats/log/tables/ranges.h"
 #include "replay/commands/dry_run.h"
 #include "replay/commands/render.h"
 
@@ -95,6 +96,19 @@ void add_limit_options(CLI::App& app, RenderOptions& o) {
   app.add_flag("--dry-run", o.dry_run, "tell size, steps, memory, disk and time; do nothing");
 }
 
+/// As a log's event of gravity may be.
+Result<std::array<double, 3>> parse_gravity(const std::string& text) {
+  Result<std::array<double, 3>> gravity = parse_vector("--gravity", text);
+  if (!gravity) return gravity;
+  const log::Range& range = log::kAccelerationRange;
+  for (const double value : *gravity) {
+    if (value >= range.min && value <= range.max) continue;
+    return Error{ErrorCode::kUsage, fmt::format("--gravity {}: {} is outside {}..{} m/s^2", text,
+                                                value, range.min, range.max)};
+  }
+  return gravity;
+}
+
 /// Parses the options that are text into the job.
 Result<void> complete(RenderOptions& o) {
   RenderJob& job = o.job;
@@ -110,7 +124,7 @@ Result<void> complete(RenderOptions& o) {
     job.stops.push_back(std::move(*point));
   }
   if (!o.gravity.empty()) {
-    Result<std::array<double, 3>> gravity = parse_vector("--gravity", o.gravity);
+    Result<std::array<double, 3>> gravity = parse_gravity(o.gravity);
     if (!gravity) return gravity.error();
     job.gravity = *gravity;
   }
@@ -136,15 +150,16 @@ Result<void> complete(RenderOptions& o) {
   return check_outputs(job.picture.outputs, o.talk.json);
 }
 
-int run(const RenderOptions& o, const Control& control) {
+int run(const RenderOptions& o, ProgressPrinter& printer) {
+  const Control control = make_control(printer, o.talk);
   if (o.dry_run) {
     Result<JobEstimate> estimate = dry_run(o.job, control);
-    if (!estimate) return fail(estimate.error());
+    if (!estimate) return printer.fail(estimate.error());
     return print(o.talk.json ? estimate_json(*estimate) + "\n" : estimate_text(*estimate));
   }
   Result<JobReport> done = render(o.job, control);
-  if (!done) return fail(done.error());
-  return report(*done, o.talk);
+  if (!done) return printer.fail(done.error());
+  return report(*done, o.talk, printer);
 }
 }  // namespace
 
@@ -162,7 +177,7 @@ int run_render(const Arguments& arguments) {
   Result<ProgressMode> mode = progress_mode(o.talk.progress, o.talk.quiet);
   if (!mode) return fail(mode.error());
   ProgressPrinter printer(*mode);
-  return run(o, make_control(printer, o.talk));
+  return run(o, printer);
 }
 
 }  // namespace pentimento::cli

@@ -85,7 +85,7 @@ int run_verify(const Arguments& arguments) {
   if (!mode) return fail(mode.error());
   ProgressPrinter printer(*mode);
   Result<VerifyReport> report = verify(o.request, make_control(printer, o.talk));
-  if (!report) return fail(report.error());
+  if (!report) return printer.fail(report.error());
   const int printed = print(o.talk.json ? verify_json(*report) + "\n" : verify_text(*report));
   if (printed != 0) return printed;
   return report->difference ? 1 : 0;

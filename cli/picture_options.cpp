@@ -53,9 +53,14 @@ bool is_png(const std::string& path) {
   return ends_with(path, ".png");
 }
 
-/// AOVs need an EXR or a PNG among the outputs, floats need an EXR.
+/// AOVs need an EXR or a PNG among the outputs, floats need an EXR, 16 bits need a PNG.
 Result<void> check_layer_options(const PictureChoice& choice) {
   const std::vector<std::string>& outputs = choice.outputs;
+  const bool any_png = std::any_of(outputs.begin(), outputs.end(), [](const std::string& output) {
+    return output == "-" || is_png(output);
+  });
+  if (choice.bit_depth == 16 && !outputs.empty() && !any_png)
+    return Error{ErrorCode::kUsage, "--bit-depth 16 needs an -o FILE.png"};
   if (outputs.empty() || std::any_of(outputs.begin(), outputs.end(), is_exr)) return {};
   if (choice.full_float) return Error{ErrorCode::kUsage, "--float needs an -o FILE.exr"};
   if (choice.aovs.empty()) return {};

@@ -5,6 +5,7 @@
 
 #include <cstdio>
 
+#include "cli/command.h"
 #include "replay/job/report_object.h"
 
 namespace pentimento::cli {
@@ -91,7 +92,30 @@ void ProgressPrinter::show(const ProgressState& state) {
 
 void ProgressPrinter::say(const std::string& text) {
   clear_line();
-  std::fprintf(stderr, "pentimento: %s\n", text.c_str());
+  if (mode_ == ProgressMode::kNdjson) {
+    std::fprintf(stderr, "%s\n", ReportObject().add("warning", text).text().c_str());
+  } else {
+    std::fprintf(stderr, "pentimento: %s\n", text.c_str());
+  }
+}
+
+int ProgressPrinter::fail(const Error& error) {
+  clear_line();
+  if (mode_ != ProgressMode::kNdjson) return cli::fail(error);
+  const int code = exit_code(error.code);
+  ReportObject line;
+  line.add("error", error.message).add("exit_code", code);
+  std::fprintf(stderr, "%s\n", line.text().c_str());
+  return code;
+}
+
+void ProgressPrinter::conclude(const std::string& text, const std::string& json) {
+  clear_line();
+  if (mode_ == ProgressMode::kNdjson) {
+    std::fprintf(stderr, "{\"report\":%s}\n", json.c_str());
+  } else {
+    std::fputs(text.c_str(), stderr);
+  }
 }
 
 }  // namespace pentimento::cli

@@ -24,8 +24,12 @@ class ProgressPrinter {
   ProgressPrinter& operator=(const ProgressPrinter&) = delete;
 
   void show(const ProgressState& state);
-  /// Prints a line of text without tearing the progress line.
+  /// Prints a warning without tearing the progress line; for programs {"warning":TEXT}.
   void say(const std::string& text);
+  /// Prints an error likewise; for programs {"error":TEXT,"exit_code":N}. Returns the exit code.
+  int fail(const Error& error);
+  /// Prints the closing report likewise: `text`, or for programs {"report":`json`}.
+  void conclude(const std::string& text, const std::string& json);
 
  private:
   using Clock = std::chrono::steady_clock;

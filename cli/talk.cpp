@@ -30,9 +30,9 @@ Control make_control(ProgressPrinter& printer, const TalkOptions& talk) {
   return control;
 }
 
-int report(const JobReport& done, const TalkOptions& talk) {
+int report(const JobReport& done, const TalkOptions& talk, ProgressPrinter& printer) {
   if (talk.json) return print(report_json(done) + "\n");
-  if (!talk.quiet) std::fputs(report_text(done).c_str(), stderr);
+  if (!talk.quiet) printer.conclude(report_text(done), report_json(done));
   return 0;
 }
 

@@ -15,7 +15,7 @@ namespace pentimento::cli {
 Control make_control(ProgressPrinter& printer, const TalkOptions& talk);
 
 /// Prints the closing report where the user wants it. Returns the exit code.
-int report(const JobReport& done, const TalkOptions& talk);
+int report(const JobReport& done, const TalkOptions& talk, ProgressPrinter& printer);
 
 /// `pentimento COMMAND ...` as a shell takes it. It leaves out the outputs and the options that
 /// change no output: those for messages, and those for memory and threads.

@@ -2,12 +2,14 @@
 #include <ImfHeader.h>
 #include <ImfInputFile.h>
 #include <ImfStandardAttributes.h>
-#include <ImfStringAttribute.h>
 
 #include <exception>
+#include <optional>
+#include <string>
 #include <string_view>
 
 #include "formats/exr/chromaticities.h"
+#include "formats/exr/typed_attribute.h"
 #include "formats/io/describe.h"
 
 namespace pentimento {
@@ -34,11 +36,11 @@ FileDescription describe(const std::string& path) {
   if (const auto profile = exr::profile_in(header))
     out.profile = std::string(profile_title(*profile)) + " primaries";
   for (auto it = header.begin(); it != header.end(); ++it) {
-    const auto* text = dynamic_cast<const Imf::StringAttribute*>(&it.attribute());
-    if (text == nullptr) continue;
+    const std::optional<std::string> text = exr::attribute_text(it.attribute());
+    if (!text) continue;
     std::string_view key = it.name();
     if (key.starts_with(kEscape)) key.remove_prefix(kEscape.size());
-    out.provenance.emplace_back(std::string(key), text->value());
+    out.provenance.emplace_back(std::string(key), *text);
   }
   return out;
 }

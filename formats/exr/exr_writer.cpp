@@ -6,7 +6,6 @@
 #include <ImfInputFile.h>
 #include <ImfOutputFile.h>
 #include <ImfStandardAttributes.h>
-#include <ImfStringAttribute.h>
 #include <ImfThreading.h>
 #include <ImfTileDescription.h>
 #include <ImfTiledOutputFile.h>
@@ -21,8 +20,8 @@
 #include "formats/color/converted_file.h"
 #include "formats/exr/chromaticities.h"
 #include "formats/exr/stream.h"
+#include "formats/exr/typed_attribute.h"
 #include "formats/io/output_file.h"
-#include "formats/io/utf8.h"
 
 namespace pentimento {
 
@@ -104,7 +103,7 @@ Imf::Header make_header(const ExrOptions& options) {
   for (const auto& [key, value] : options.provenance) {
     // A key that names one of OpenEXR's own attributes must not change it.
     const std::string name = header.find(key) == header.end() ? key : "pentimento." + key;
-    header.insert(name, Imf::StringAttribute(valid_utf8(value)));
+    header.insert(name, *exr::typed_attribute(value));
   }
   return header;
 }

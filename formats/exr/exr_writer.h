@@ -16,7 +16,7 @@ namespace pentimento {
 struct ExrOptions {
   int width = 0, height = 0;
   bool full_float = false;
-  double dpi = 0;
+  double dpi = 0;                     // pixels an inch, the attribute xDensity; 0: not told
   std::vector<std::string> channels;  // in the order of the strips' planes: R, G, B, AOVs
   Provenance provenance;
   int threads = 1;

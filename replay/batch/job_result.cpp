@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "formats/io/read_file.h"
+#include "formats/io/file_sha256.h"
 #include "formats/io/sha256.h"
 #include "replay/commands/validate.h"
 #include "replay/job/build_info.h"
@@ -15,14 +15,14 @@ namespace pentimento {
 namespace {
 using nlohmann::json;
 
-constexpr std::int64_t kMostHashedBytes = std::int64_t{1} << 40;
 /// Options that change no byte of a result.
 constexpr std::array<std::string_view, 3> kOfTheMachine = {"--threads", "--memory-limit",
                                                            "--scratch"};
 
+/// Empty for a file that cannot be read.
 std::string hash_of_file(const std::string& path) {
-  const Result<std::string> bytes = read_file(path, kMostHashedBytes);
-  return bytes ? sha256_hex(*bytes) : std::string();
+  const Result<std::string> hash = file_sha256(path);
+  return hash ? *hash : std::string();
 }
 
 std::vector<std::string> without_the_machines(const std::vector<std::string>& options) {

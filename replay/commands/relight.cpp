@@ -1,6 +1,8 @@
 #include "replay/commands/relight.h"
 
 #include <algorithm>
+#include <map>
+#include <string>
 #include <utility>
 
 #include "formats/hdf5/state_dump.h"
@@ -89,8 +91,10 @@ Result<std::vector<Frame>> plan_frames(const RelightJob& job, const Lamp& lamp) 
   return frames;
 }
 
-Origin origin_of(const StateDump& dump, const RelightJob& job) {
+Origin origin_of(const StateDump& dump, const RelightJob& job,
+                 const std::map<std::string, std::string>& files) {
   Origin origin;
+  origin.files = files;
   origin.log_sha256 = dump.log_sha256;
   origin.state_sha256 = dump.state_sha256;
   origin.guide_sha256 = dump.guide_sha256;
@@ -129,6 +133,10 @@ Result<JobReport> relight(const RelightJob& job, const Control& control) {
   Result<LightOverride> light = LightOverride::make(job.light);
   if (!light) return light.error();
   light->apply(dump->lighting);
+  std::map<std::string, std::string> files;
+  if (Result<void> added = add_file_of_option("--environment", job.light.environment, files);
+      !added)
+    return added.error();
   if (Result<void> seen = look_otherwise(job, *dump); !seen) return seen.error();
   const StateSource guide(dump->state);
   const CanvasSource& canvas = dump->fine ? *dump->fine : guide;
@@ -152,7 +160,7 @@ Result<JobReport> relight(const RelightJob& job, const Control& control) {
                     dump->fine ? &guide : nullptr};
   for (const Frame& frame : *frames) {
     dump->lighting.lamps.front() = frame.lamp;
-    Result<void> added = set.add_pictures(frame.outputs, scene, origin_of(*dump, job));
+    Result<void> added = set.add_pictures(frame.outputs, scene, origin_of(*dump, job, files));
     if (!added) return added.error();
   }
   watch.start("publish");

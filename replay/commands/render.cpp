@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 #include <utility>
 
@@ -45,7 +46,7 @@ class Replay {
         watch_(watch),
         threads_(job.threads),
         settings_{job.picture, session.size, threads_.count(), control,
-                  inputs_of(job, session.files)},
+                  files_read_by(job, session.files)},
         outputs_(settings_, watch),
         lighting_(first_lighting(session), session.reader->header().steps_per_second) {}
 
@@ -75,7 +76,8 @@ class Replay {
   OutputSet outputs_;
   LightingTrack lighting_;
   LightOverride light_;
-  std::vector<std::vector<PlannedOutput>> files_;  // for each stop
+  std::map<std::string, std::string> files_of_options_;  // option, SHA-256
+  std::vector<std::vector<PlannedOutput>> files_;        // for each stop
   std::int64_t first_step_ = 0;
   std::unique_ptr<Simulation> simulation_;
   std::unique_ptr<ReplayDetail> fine_;  // empty at detail 1
@@ -137,6 +139,12 @@ Result<void> Replay::begin() {
   Result<LightOverride> light = LightOverride::make(job_.light);
   if (!light) return light.error();
   light_ = std::move(*light);
+  for (const auto& [option, file] :
+       {std::pair<const char*, const std::string&>{"--from", job_.from},
+        {"--environment", job_.light.environment}}) {
+    if (Result<void> added = add_file_of_option(option, file, files_of_options_); !added)
+      return added;
+  }
   // The guide: the simulation on the log's grid, fresh or as a dump left it.
   Result<std::unique_ptr<Simulation>> simulation = make_simulation(session_, threads_);
   if (!simulation) return simulation.error();
@@ -230,6 +238,7 @@ Origin Replay::origin(const Lighting& lighting) const {
   Origin origin;
   origin.log_sha256 = session_.plan.sha256;
   origin.files = session_.files.hashes();
+  origin.files.insert(files_of_options_.begin(), files_of_options_.end());
   origin.state_sha256 = report_.state_sha256;
   origin.guide_sha256 = report_.guide_sha256;
   origin.model = simulation_->model();

@@ -155,7 +155,7 @@ Result<void> explain(const VerifyRequest& request, const Control& control, Verif
 
 Result<OutputClaim> claim_dumps(const VerifyRequest& request, const LogFiles& named_files) {
   if (request.dumps.empty()) return OutputClaim();
-  std::vector<InputFile> inputs = inputs_of(request.job, named_files);
+  std::vector<InputFile> inputs = files_read_by(request.job, named_files);
   inputs.push_back({request.hashes, "the hashes"});
   std::vector<std::string> dumps;
   for (const char* part : {"before", "after", "recorded"})

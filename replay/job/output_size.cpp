@@ -96,10 +96,14 @@ Result<OutputSize> output_size(const SizeRequest& request, const CanvasGeometry&
   return whole_pixels(grid.width * scale, grid.height * scale, request.dpi);
 }
 
-int detail_for(const OutputSize& size, const CanvasGeometry& grid) {
+int detail_wanted(const OutputSize& size, const CanvasGeometry& grid) {
   const int across = (size.width + grid.width - 1) / grid.width;
   const int down = (size.height + grid.height - 1) / grid.height;
-  return std::clamp(std::max(across, down), 1, kMostDetail);
+  return std::max({across, down, 1});
+}
+
+int detail_for(const OutputSize& size, const CanvasGeometry& grid) {
+  return std::min(detail_wanted(size, grid), kMostDetail);
 }
 
 }  // namespace pentimento

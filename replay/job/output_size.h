@@ -30,8 +30,11 @@ struct OutputSize {
 /// ways, or text that is no size), kLimit (beyond 2^20 pixels a side).
 Result<OutputSize> output_size(const SizeRequest& request, const CanvasGeometry& grid);
 
-/// The detail that a picture needs: the smallest whole number, at most kMostDetail, with which no
-/// pixel is smaller than a fine cell of `grid`.
+/// The detail that a picture wants: the smallest whole number with which no pixel is smaller than a
+/// fine cell of `grid`.
+int detail_wanted(const OutputSize& size, const CanvasGeometry& grid);
+
+/// The detail that a picture gets: what it wants, but at most kMostDetail.
 int detail_for(const OutputSize& size, const CanvasGeometry& grid);
 
 }  // namespace pentimento

@@ -2,29 +2,14 @@
 
 #include <array>
 #include <filesystem>
-#include <fstream>
 #include <utility>
 
 #include "formats/image/read_image.h"
-#include "formats/io/sha256.h"
+#include "formats/io/file_sha256.h"
 #include "formats/log/stream/resolve.h"
 #include "formats/video/video_reader.h"
 
 namespace pentimento {
-
-namespace {
-Result<std::string> hash_file(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  Sha256 hash;
-  std::array<char, 1 << 16> bytes{};
-  while (file) {
-    file.read(bytes.data(), bytes.size());
-    hash.update(bytes.data(), static_cast<std::size_t>(file.gcount()));
-  }
-  if (!file.eof()) return Error{ErrorCode::kIo, path + ": cannot be read"};
-  return hash.hex();
-}
-}  // namespace
 
 LogFiles::LogFiles(std::string log_path, bool allow_outside)
     : log_path_(std::move(log_path)), allow_outside_(allow_outside) {}
@@ -33,7 +18,7 @@ Result<std::string> LogFiles::use(const std::string& name) {
   if (const auto known = paths_.find(name); known != paths_.end()) return known->second;
   Result<std::filesystem::path> path = log::resolve_file(log_path_, name, allow_outside_);
   if (!path) return path.error();
-  Result<std::string> hash = hash_file(path->string());
+  Result<std::string> hash = file_sha256(path->string());
   if (!hash) return hash.error();
   paths_.emplace(name, path->string());
   hashes_.emplace(name, *hash);

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "core/optics/tone.h"
+#include "formats/io/file_sha256.h"
 #include "formats/log/tables/model_fields.h"
 #include "replay/job/build_info.h"
 
@@ -67,6 +69,15 @@ std::string shell_word(const std::string& text) {
   }
   quoted.push_back('\'');
   return quoted;
+}
+
+Result<void> add_file_of_option(const std::string& option, const std::string& path,
+                                std::map<std::string, std::string>& files) {
+  if (path.empty()) return {};
+  Result<std::string> hash = file_sha256(path);
+  if (!hash) return hash.error();
+  files.emplace(option, std::move(*hash));
+  return {};
 }
 
 Provenance provenance_of(const Origin& origin, const OutputSize& size, const std::string& pattern) {

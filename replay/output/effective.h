@@ -4,6 +4,7 @@
 #include <map>
 #include <string>
 
+#include "core/base/result.h"
 #include "core/model/model.h"
 #include "core/optics/lighting.h"
 #include "formats/io/picture_file.h"
@@ -14,7 +15,7 @@ namespace pentimento {
 /// What a set of outputs shows, and where that came from.
 struct Origin {
   std::string log_sha256;
-  std::map<std::string, std::string> files;  // named by the log: name, SHA-256
+  std::map<std::string, std::string> files;  // that the job reads: name, SHA-256
   std::string state_sha256;
   std::string guide_sha256;
   Model model;
@@ -27,6 +28,10 @@ struct Origin {
   Lighting lighting;
   std::string command;  // without its -o
 };
+
+/// Adds the file of an option, as "--from", to the files of a job, unless it is empty. Errors: kIo.
+Result<void> add_file_of_option(const std::string& option, const std::string& path,
+                                std::map<std::string, std::string>& files);
 
 /// The provenance of one output. `pattern`: its -o; `size`: that of the whole picture.
 Provenance provenance_of(const Origin& origin, const OutputSize& size, const std::string& pattern);

@@ -47,7 +47,7 @@ std::vector<std::string> paths_of(const std::vector<std::vector<PlannedOutput>>&
   return paths;
 }
 
-std::vector<InputFile> inputs_of(const RenderJob& job, const LogFiles& named) {
+std::vector<InputFile> files_read_by(const RenderJob& job, const LogFiles& named) {
   std::vector<InputFile> inputs = {{job.log, "the log"},
                                    {job.from, "the state of --from"},
                                    {job.light.environment, "the picture of --environment"}};

@@ -32,6 +32,6 @@ Result<void> check_outputs_differ(const std::vector<std::string>& outputs);
 std::vector<std::string> paths_of(const std::vector<std::vector<PlannedOutput>>& outputs);
 
 /// What a render reads: the log, the files that it names, and those of the options.
-std::vector<InputFile> inputs_of(const RenderJob& job, const LogFiles& named);
+std::vector<InputFile> files_read_by(const RenderJob& job, const LogFiles& named);
 
 }  // namespace pentimento

@@ -54,6 +54,13 @@ ColorEncoding color_encoding(const PictureChoice& choice) {
   return encoding;
 }
 
+/// What an EXR tells as its density: what the options say, else that of a picture as large as the
+/// canvas.
+double density_dpi(const OutputSize& size, const CanvasGeometry& canvas) {
+  constexpr double kMetresPerInch = 0.0254;
+  return size.dpi > 0 ? size.dpi : size.width / canvas.width_m * kMetresPerInch;
+}
+
 /// Hands strips on and tells how far they are; stops when the job is cancelled.
 class WatchedSink : public PictureSink {
  public:
@@ -137,9 +144,10 @@ Result<void> OutputSet::create(const PlannedOutput& output, const Scene& scene,
     std::vector<std::string> channels = {"R", "G", "B"};
     const auto extra = aov_channels(choice.aovs, scene.basis);
     if (extra) channels.insert(channels.end(), extra->begin(), extra->end());
-    return create_exr(
-        output.path, {size->width, size->height, choice.full_float, size->dpi, channels, provenance,
-                      settings_.threads, choice.no_clobber, choice.profile});
+    return create_exr(output.path,
+                      {size->width, size->height, choice.full_float,
+                       density_dpi(settings_.size, scene.canvas.geometry()), channels, provenance,
+                       settings_.threads, choice.no_clobber, choice.profile});
   }();
   if (!file) return file.error();
   return add_pending({{output.path, size->width, size->height, {}, {}},

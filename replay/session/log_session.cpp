@@ -4,6 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include "formats/log/tables/model_fields.h"
@@ -82,7 +84,7 @@ Result<void> start_from(const std::string& path, LogSession& session) {
 }
 
 /// How the size asked for is reached. Errors: kUsage for options that exclude each other.
-Result<void> choose_refinement(const RenderJob& job, LogSession& session) {
+Result<void> choose_refinement(const RenderJob& job, LogSession& session, const Control& control) {
   session.refine = job.refine.value_or(job.sim_scale ? Refine::kDirect : Refine::kGuided);
   if (session.refine == Refine::kDirect) {
     if (!job.detail) return {};
@@ -93,6 +95,12 @@ Result<void> choose_refinement(const RenderJob& job, LogSession& session) {
                  "--sim-scale is for --refine direct: guided simulates on the log's grid"};
   }
   session.detail = job.detail.value_or(detail_for(session.size, session.canvas));
+  const int wanted = detail_wanted(session.size, session.canvas);
+  if (!job.detail && wanted > kMostDetail)
+    control.warning(
+        fmt::format("the picture wants {} fine cells per cell of the grid; {} is the "
+                    "most, and the picture is enlarged from them",
+                    wanted, kMostDetail));
   if (session.detail > 1 && session.model.scheme == SchemeKind::kPaper) {
     return Error{ErrorCode::kUsage,
                  "scheme paper has no detail canvas: a larger picture of it needs --refine direct"};
@@ -145,6 +153,14 @@ void choose_detail_start(const RenderJob& job, LogSession& session, const Contro
   }
 }
 
+/// The folder of --scratch must be there, whether the job will need it or not.
+Result<void> check_scratch(const std::string& folder) {
+  std::error_code error;
+  if (folder.empty() || std::filesystem::is_directory(folder, error)) return {};
+  return Error{ErrorCode::kIo, fmt::format("--scratch {}: {}", folder,
+                                           error ? error.message() : "is not a folder")};
+}
+
 void tell_oddities(const LogSession& session, const Control& control) {
   if (!session.plan.salvaged.empty()) control.warning(session.plan.salvaged);
   if (session.plan.undo.idle() > 0) {
@@ -159,6 +175,7 @@ void tell_oddities(const LogSession& session, const Control& control) {
 
 Result<LogSession> open_session(const RenderJob& job, const Control& control) {
   LogSession session;
+  if (Result<void> scratch = check_scratch(job.scratch); !scratch) return scratch.error();
   Result<std::unique_ptr<log::Reader>> reader = log::Reader::open(job.log, job.reading);
   if (!reader) return reader.error();
   session.reader = std::move(*reader);
@@ -187,7 +204,8 @@ Result<LogSession> open_session(const RenderJob& job, const Control& control) {
   Result<OutputSize> size = output_size(job.size, session.canvas);
   if (!size) return size.error();
   session.size = *size;
-  if (Result<void> chosen = choose_refinement(job, session); !chosen) return chosen.error();
+  if (Result<void> chosen = choose_refinement(job, session, control); !chosen)
+    return chosen.error();
   if (!session.start) {
     session.grid = session.refine == Refine::kDirect ? simulation_grid(*size, job, session.canvas)
                                                      : session.canvas;

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <sstream>
+#include <string>
 
 #include "formats/image/read_image.h"
 #include "tests/cli/command_run.h"
@@ -72,6 +74,76 @@ TEST(CommandRender, ProgressForProgramsIsAnObjectPerLine) {
   const Ran ran = place.run("render a.jsonl -o a.png --progress ndjson --json");
   EXPECT_NE(ran.err.find("{\"phase\":\"simulate\""), std::string::npos);
   EXPECT_NE(ran.err.find("\"percent\":100"), std::string::npos);
+}
+
+/// Every line is one object: what does not begin and end so is words.
+void expect_objects(const std::string& lines) {
+  std::istringstream in(lines);
+  for (std::string line; std::getline(in, line);)
+    EXPECT_TRUE(line.starts_with("{\"") && line.ends_with("}")) << line;
+}
+
+TEST(CommandRender, ForProgramsWarningsErrorsAndTheReportAreObjectsToo) {
+  Workplace place;
+  place.write("b.jsonl", kSmallLog +
+                             "{\"t\":2,\"type\":\"undo\"}\n{\"t\":2,\"type\":\"undo\"}\n"
+                             "{\"t\":2,\"type\":\"undo\"}\n");
+  const Ran done = place.run("render b.jsonl -o a.png --progress ndjson");
+  ASSERT_EQ(done.code, 0) << done.err;
+  expect_objects(done.err);
+  EXPECT_NE(done.err.find("{\"warning\":\"1 undo"), std::string::npos) << done.err;
+  EXPECT_NE(done.err.find("\n{\"report\":{\"outputs\""), std::string::npos) << done.err;
+  const Ran failed = place.run("render missing.jsonl -o a.png --progress ndjson");
+  EXPECT_EQ(failed.code, 5);
+  expect_objects(failed.err);
+  EXPECT_EQ(json_member(failed.err, "exit_code"), "5");
+}
+
+TEST(CommandRender, OnATerminalTheReportBeginsOnALineOfItsOwn) {
+  const Workplace place;
+  const Ran done = place.run("render a.jsonl -o a.png --progress tty");
+  ASSERT_EQ(done.code, 0);
+  const std::size_t cleared = done.err.rfind("\r\033[K");
+  ASSERT_NE(cleared, std::string::npos);
+  EXPECT_EQ(done.err.find('[', cleared + 4), std::string::npos) << "the bar is gone";
+  EXPECT_NE(done.err.find("a.png", cleared), std::string::npos) << "the report follows";
+}
+
+TEST(CommandRender, WhatItCannotKeepItRefusesOrTells) {
+  const Workplace place;
+  const Ran gravity = place.run("render a.jsonl -o a.png --gravity=0,1e300,0");
+  EXPECT_EQ(gravity.code, 2);
+  EXPECT_EQ(gravity.err, "pentimento: --gravity 0,1e300,0: 1e+300 is outside -1000..1000 m/s^2\n");
+  EXPECT_EQ(place.run("render a.jsonl -o a.exr --bit-depth 16").code, 2);
+  EXPECT_EQ(place.run("render a.jsonl -o a.exr -o a.png --bit-depth 16").code, 0);
+  const Ran scratch = place.run("render a.jsonl -o b.png --scratch missing");
+  EXPECT_EQ(scratch.code, 5);
+  EXPECT_EQ(scratch.err, "pentimento: --scratch missing: No such file or directory\n");
+  const Ran large = place.run("render a.jsonl -o b.png --width 2640 --dry-run");
+  EXPECT_NE(large.err.find("wants 33 fine cells per cell of the grid; 32 is the most"),
+            std::string::npos)
+      << large.err;
+}
+
+TEST(CommandRender, OutputsNameTheHashesOfTheFilesOfOptions) {
+  const Workplace place;
+  ASSERT_EQ(place.run("render a.jsonl -o s.h5 -o sky.exr").code, 0);
+  ASSERT_EQ(place.run("render a.jsonl -o b.png --from s.h5 --environment sky.exr").code, 0);
+  const std::string told = place.run("info b.png").out;
+  for (const std::string name : {"s.h5", "sky.exr"})
+    EXPECT_NE(told.find(run("sha256sum " + place.path(name)).second.substr(0, 64)),
+              std::string::npos)
+        << name << " in " << told;
+}
+
+TEST(CommandRender, AnExrWithoutDpiIsAsLargeAsTheCanvas) {
+  const Workplace place;
+  ASSERT_EQ(place.run("render a.jsonl -o a.exr --width 800").code, 0);
+  // 800 pixels on 0.4 m are 50.8 an inch.
+  const std::string header = run("exrheader " + place.path("a.exr")).second;
+  EXPECT_NE(header.find("xDensity (type float): 50.8"), std::string::npos) << header;
+  EXPECT_NE(header.find("detail (type int): 10"), std::string::npos) << header;
+  EXPECT_NE(header.find("time_s (type double): "), std::string::npos) << header;
 }
 
 TEST(CommandRender, TheSizeIsGivenInOneWay) {

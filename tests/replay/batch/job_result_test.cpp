@@ -36,10 +36,11 @@ TEST(JobInputs, AFileThatTheLogNamesCounts) {
   test::Workplace place;
   std::string log = test::kSmallLog;
   log.replace(log.find(R"("palette")"), 0, R"("paper":{"texture":"paper.png"},)");
+  ASSERT_EQ(place.run("render a.jsonl -o paper.png --width 40").code, 0);
   place.write("a.jsonl", log);
-  place.write("paper.png", "one");
   const std::string key = inputs(place, {}).key();
-  place.write("paper.png", "two");
+  place.write("plain.jsonl", test::kSmallLog);
+  ASSERT_EQ(place.run("render plain.jsonl -o paper.png --width 50").code, 0);
   EXPECT_NE(inputs(place, {}).key(), key);
 }
 

@@ -77,6 +77,7 @@ TEST(DetailFor, IsTheLeastAtWhichNoPixelIsSmallerThanItsCells) {
   EXPECT_EQ(detail_for({700, 50, 0}, grid), 7);
   EXPECT_EQ(detail_for({10, 5, 0}, grid), 1);
   EXPECT_EQ(detail_for({100000, 50, 0}, grid), 32);  // docs/cli.md: at most
+  EXPECT_EQ(detail_wanted({100000, 50, 0}, grid), 1000);
 }
 
 }  // namespace

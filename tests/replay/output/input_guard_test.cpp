@@ -59,7 +59,7 @@ TEST(InputGuardNames, ARenderReadsItsLogItsDumpItsLightAndWhatTheLogNames) {
   LogFiles files(job.log, false);
   ASSERT_TRUE(files.use("paper.png").ok());
   std::string told;
-  for (const InputFile& input : inputs_of(job, files)) told += input.what + "; ";
+  for (const InputFile& input : files_read_by(job, files)) told += input.what + "; ";
   EXPECT_EQ(told,
             "the log; the state of --from; the picture of --environment; \"paper.png\", which the "
             "log names; ");
