@@ -41,11 +41,16 @@ void add_csv_options(CLI::App& app, sketch::CsvColumns& csv) {
   column("--csv-pressure", csv.pressure, "0..1");
   column("--csv-tilt-x", csv.tilt_x, "degrees");
   column("--csv-tilt-y", csv.tilt_y, "degrees");
+  column("--csv-altitude", csv.altitude, "of the pen, radians; pi/2 is upright");
+  column("--csv-azimuth", csv.azimuth, "radians, clockwise from the right");
   column("--csv-twist", csv.twist, "degrees");
   column("--csv-stroke", csv.stroke, "another value is another stroke");
   column("--csv-pen", csv.pen, "0 where the pen is up");
   column("--csv-width", csv.width, "of the line");
   column("--csv-color", csv.color, "#rrggbb");
+  column("--csv-red", csv.red, "0..1, or 0..255 if any is over 1");
+  column("--csv-green", csv.green, "");
+  column("--csv-blue", csv.blue, "");
   app.add_option("--csv-unit", csv.metre_per_unit, "metres per unit; else the canvas is 1 m long")
       ->check(in_range(1e-9, 1e3))
       ->type_name("M")

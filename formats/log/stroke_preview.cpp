@@ -14,6 +14,15 @@ namespace pentimento::log {
 namespace {
 constexpr double kMostRows = 60;  // of a narrow canvas, characters
 constexpr const char* kUpperHalf = "\u2580";
+constexpr int kForeground = 38, kBackground = 48;  // of a terminal's characters
+
+/// What makes a terminal go on in that colour.
+std::string color_code(int ground, const Rgb& color) {
+  const auto code = [](double linear) {
+    return std::lround(255 * linear_to_srgb(std::clamp(linear, 0.0, 1.0)));
+  };
+  return fmt::format("\x1b[{};2;{};{};{}m", ground, code(color[0]), code(color[1]), code(color[2]));
+}
 
 /// The shares of the way from `at` by `way` between which it is in least..most; from above to where
 /// it is not.
@@ -23,6 +32,10 @@ std::pair<double, double> part_within(double at, double way, double least, doubl
   return {std::clamp(std::min(a, b), 0.0, 1.0), std::clamp(std::max(a, b), 0.0, 1.0)};
 }
 }  // namespace
+
+std::string color_patch(const Rgb& color) {
+  return color_code(kBackground, color) + "  \x1b[0m";
+}
 
 StrokePreview::StrokePreview(const Header& header, int columns)
     : width_(std::max(columns, 1)), size_m_(static_cast<double>(BrushSettings().size_m)) {
@@ -49,6 +62,7 @@ void StrokePreview::add(const Event& event) {
   if (const auto* slider = std::get_if<Slider>(&event.action)) {
     if (slider->name == "size") size_m_ = slider->value;
   }
+  if (const auto* brush = std::get_if<BrushChange>(&event.action)) wipes_ = brush->name == "rag";
   if (const auto* color = std::get_if<Color>(&event.action)) {
     const auto known = pigments_.find(color->pigment);
     color_ = color->value               ? *color->value
@@ -86,24 +100,19 @@ void StrokePreview::dab(double x_m, double y_m) {
     for (int u = cell(x - radius, width_); u < cell(x + radius + 1, width_); ++u) {
       if (std::hypot(u + 0.5 - x, v + 0.5 - y) > radius) continue;
       cells_[static_cast<std::size_t>(v) * static_cast<std::size_t>(width_) +
-             static_cast<std::size_t>(u)] = color_;
+             static_cast<std::size_t>(u)] = wipes_ ? std::optional<Rgb>() : color_;
     }
   }
 }
 
 std::string StrokePreview::text() const {
-  const auto code = [](double linear) {
-    return std::lround(255 * linear_to_srgb(std::clamp(linear, 0.0, 1.0)));
-  };
   const auto paint = [&](int ground, const std::optional<Rgb>& color) {
-    return color ? fmt::format("\x1b[{};2;{};{};{}m", ground, code((*color)[0]), code((*color)[1]),
-                               code((*color)[2]))
-                 : fmt::format("\x1b[{};2;235;232;225m", ground);
+    return color ? color_code(ground, *color) : fmt::format("\x1b[{};2;235;232;225m", ground);
   };
   std::string out;
   for (int y = 0; y < height_; y += 2) {
     for (int x = 0; x < width_; ++x)
-      out += paint(38, at(x, y)) + paint(48, at(x, y + 1)) + kUpperHalf;
+      out += paint(kForeground, at(x, y)) + paint(kBackground, at(x, y + 1)) + kUpperHalf;
     out += "\x1b[0m\n";
   }
   return out;

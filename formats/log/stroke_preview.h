@@ -13,6 +13,9 @@
 
 namespace pentimento::log {
 
+/// Two blanks on that colour, linear light, for a terminal of 24-bit colours.
+std::string color_patch(const Rgb& color);
+
 class StrokePreview {
  public:
   /// `columns` characters wide, each of two cells, one above the other.
@@ -41,6 +44,7 @@ class StrokePreview {
   double cell_m_;
   double size_m_;
   Rgb color_ = {0.02, 0.02, 0.02};
+  bool wipes_ = false;  // the hand holds the rag
   std::map<std::string, Rgb> pigments_;
   std::map<std::int64_t, PlaceBefore> hands_;
   std::vector<std::optional<Rgb>> cells_;

@@ -41,7 +41,7 @@ struct Summary {
   std::array<std::int64_t, 9> tilts{};       // leaning from upright by 0 to 10 degrees, ... 90
   std::string sha256, salvaged;
 
-  double duration_s() const { return static_cast<double>(duration_us) * 1e-6; }
+  double duration_s() const { return static_cast<double>(duration_us) / 1e6; }
 };
 
 /// Adds up events, one by one.

@@ -8,7 +8,7 @@
 #include <memory>
 #include <vector>
 
-#include "formats/io/read_file.h"
+#include "formats/import/recording_file.h"
 #include "formats/io/sha256.h"
 #include "formats/log/edit/editing_writer.h"
 #include "formats/log/edit/origin.h"
@@ -21,7 +21,6 @@
 namespace pentimento {
 
 namespace {
-constexpr std::int64_t kMostBytes = std::int64_t{1} << 30;
 constexpr std::string_view kLogName = "log";
 
 std::vector<std::string_view> format_names() {
@@ -90,12 +89,14 @@ Result<log::Edits> make_edits(const LogEdits& from, const log::ReaderOptions& re
     out.merged = std::move(*merged);
   }
   if (!from.gravity_file.empty()) {
-    const Result<std::string> bytes = read_file(from.gravity_file, kMostBytes);
+    const Result<std::string> bytes = sketch::read_recording(from.gravity_file);
     if (!bytes) return bytes.error();
     Result<sketch::GravityRecording> gravity =
         sketch::read_gravity({from.gravity_file, *bytes}, from.gravity);
     if (!gravity) return gravity.error();
     out.gravity = std::move(gravity->readings);
+    out.gravity_file = file_name(from.gravity_file);
+    out.gravity_sha256 = sha256_hex(*bytes);
   }
   if (from.trim_s)
     out.trim_us = {microseconds(from.trim_s->first), microseconds(from.trim_s->second)};
@@ -151,7 +152,7 @@ bool undoes(const sketch::Sketch& drawing) {
 
 Result<void> convert_recording(const ConvertJob& job, ConvertFacts& facts,
                                std::unique_ptr<log::EditingWriter>& writer) {
-  const Result<std::string> bytes = read_file(job.input, kMostBytes);
+  const Result<std::string> bytes = sketch::read_recording(job.input);
   if (!bytes) return bytes.error();
   const Result<const sketch::Format*> format = choose_format(job, *bytes);
   if (!format) return format.error();
@@ -167,11 +168,12 @@ Result<void> convert_recording(const ConvertJob& job, ConvertFacts& facts,
   const sketch::SketchOrigin origin = {facts.format, file_name(job.input), sha256_hex(*bytes)};
   const Result<sketch::LogCounts> counts = write_log(*drawing, origin, job.writing, *writer);
   if (!counts) return Error{counts.error().code, job.input + ": " + counts.error().message};
-  facts.strokes = counts->strokes;
-  facts.samples = counts->samples;
+  const sketch::Report& report = counts->report;
+  facts.strokes = report.file_strokes > 0 ? report.file_strokes : counts->strokes;
+  facts.samples = report.file_samples > 0 ? report.file_samples : counts->samples;
   facts.canvas_width_m = counts->canvas_width_m;
   facts.canvas_height_m = counts->canvas_height_m;
-  facts.report = drawing->report;
+  facts.report = report;
   return {};
 }
 
@@ -193,7 +195,8 @@ Result<void> convert_log(const ConvertJob& job, ConvertFacts& facts,
     const auto* touch = std::get_if<log::Touch>(&action);
     if (touch == nullptr) continue;
     facts.strokes += touch->phase == log::TouchPhase::kDown ? 1 : 0;
-    facts.samples += touch->phase == log::TouchPhase::kUp ? 0 : 1;
+    facts.samples +=
+        touch->phase == log::TouchPhase::kDown || touch->phase == log::TouchPhase::kMove ? 1 : 0;
   }
   Result<std::unique_ptr<log::EditingWriter>> output = open_output(job);
   if (!output) return output.error();
@@ -244,8 +247,10 @@ Result<ConvertFacts> convert(const ConvertJob& job) {
   Result<Published> log = writer->finish();
   if (!log) return log.error();
   facts.log = std::move(*log);
+  facts.log_strokes = writer->strokes();
+  facts.log_samples = writer->samples();
   facts.events = writer->events();
-  facts.duration_s = static_cast<double>(writer->last_us()) * 1e-6;
+  facts.duration_s = static_cast<double>(writer->last_us()) / 1e6;
   return facts;
 }
 
@@ -257,6 +262,8 @@ std::string convert_json(const ConvertFacts& facts) {
       .add("log_sha256", facts.log.sha256)
       .add("strokes", facts.strokes)
       .add("samples", facts.samples)
+      .add("log_strokes", facts.log_strokes)
+      .add("log_samples", facts.log_samples)
       .add("events", facts.events)
       .add("duration_s", facts.duration_s)
       .add("canvas_width_m", facts.canvas_width_m)
@@ -268,8 +275,10 @@ std::string convert_json(const ConvertFacts& facts) {
 }
 
 std::string convert_text(const ConvertFacts& facts) {
-  return fmt::format("{}: {}, {} strokes, {} samples; {} events, {:.1f} s\n", facts.input,
-                     facts.format, facts.strokes, facts.samples, facts.events, facts.duration_s) +
+  return fmt::format("{}: {}, {} strokes, {} samples\n", facts.input, facts.format, facts.strokes,
+                     facts.samples) +
+         fmt::format("log: {} strokes, {} samples, {} events, {:.1f} s\n", facts.log_strokes,
+                     facts.log_samples, facts.events, facts.duration_s) +
          list_text("kept", facts.report.kept) + list_text("guessed", facts.report.guessed) +
          list_text("dropped", facts.report.dropped);
 }

@@ -44,7 +44,8 @@ struct ConvertJob {
 
 struct ConvertFacts {
   std::string input, format;
-  std::int64_t strokes = 0, samples = 0, events = 0;
+  std::int64_t strokes = 0, samples = 0;  // of the input
+  std::int64_t log_strokes = 0, log_samples = 0, events = 0;
   double duration_s = 0, canvas_width_m = 0, canvas_height_m = 0;
   sketch::Report report;
   Published log;

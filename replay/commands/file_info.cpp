@@ -9,9 +9,9 @@
 #include <string_view>
 #include <utility>
 
+#include "formats/import/recording_file.h"
 #include "formats/import/sketch/recording.h"
 #include "formats/import/sketch/sketch_log.h"
-#include "formats/io/read_file.h"
 #include "formats/io/sha256.h"
 #include "formats/log/stream/log_start.h"
 #include "formats/log/write/writer.h"
@@ -32,8 +32,6 @@ bool starts_like_an_output(const std::string& path) {
   }
   return false;
 }
-
-constexpr std::int64_t kMostRecordingBytes = std::int64_t{1} << 30;
 
 /// Takes the log of a recording, and keeps only its sums and its preview.
 class FactsWriter : public log::Writer {
@@ -66,7 +64,7 @@ class FactsWriter : public log::Writer {
 
 /// Whether a file is one of another program, which it is if no log begins like it.
 Result<bool> describe_recording(const std::string& path, int preview_columns, FileInfo& info) {
-  const Result<std::string> bytes = read_file(path, kMostRecordingBytes);
+  const Result<std::string> bytes = sketch::read_recording(path);
   if (!bytes) return bytes.error();
   const sketch::Format* format = sketch::format_of(*bytes);
   if (format == nullptr) return false;
@@ -75,8 +73,14 @@ Result<bool> describe_recording(const std::string& path, int preview_columns, Fi
   FactsWriter writer(preview_columns);
   const Result<sketch::LogCounts> counts = write_log(*drawing, {}, {}, writer);
   if (!counts) return Error{counts.error().code, path + ": " + counts.error().message};
-  info.recording = FileInfo::Recording{std::string(format->name), drawing->title, counts->samples,
-                                       drawing->report, writer.facts()};
+  const sketch::Report& report = counts->report;
+  info.recording =
+      FileInfo::Recording{std::string(format->name),
+                          drawing->title,
+                          report.file_strokes > 0 ? report.file_strokes : counts->strokes,
+                          report.file_samples > 0 ? report.file_samples : counts->samples,
+                          report,
+                          writer.facts()};
   info.recording->log.summary.sha256 = sha256_hex(*bytes);
   info.preview = writer.preview();
   return true;
@@ -129,12 +133,19 @@ std::string extent_json(const log::Bounds& bounds) {
                                       bounds.max_x_m, bounds.max_y_m);
 }
 
+/// The colours that a recording has, as "#rrggbb".
+std::vector<std::string> swatches_of(const log::Summary& sum) {
+  std::vector<std::string> out;
+  for (const log::Rgb& color : sum.colors) out.push_back(hex_of(color));
+  return out;
+}
+
 void add_recording(const FileInfo::Recording& recording, ReportObject& json) {
   const log::Summary& sum = recording.log.summary;
   json.add("kind", "recording")
       .add("format", recording.format)
       .add("title", recording.title)
-      .add("strokes", sum.strokes)
+      .add("strokes", recording.strokes)
       .add("samples", recording.samples)
       .add("duration_s", sum.duration_s())
       .add("canvas_width_m", recording.log.header.canvas_width_m)
@@ -143,6 +154,7 @@ void add_recording(const FileInfo::Recording& recording, ReportObject& json) {
       .add_json("pressures", bins_json(sum.pressures))
       .add_json("tilts", bins_json(sum.tilts))
       .add("colors", static_cast<std::int64_t>(sum.colors.size()))
+      .add_json("swatches", strings_json(swatches_of(sum)))
       .add_json("kept", strings_json(recording.report.kept))
       .add_json("guessed", strings_json(recording.report.guessed))
       .add_json("dropped", strings_json(recording.report.dropped))
@@ -216,19 +228,31 @@ std::string strokes_text(const log::Summary& sum) {
   return text;
 }
 
-std::string recording_text(const FileInfo::Recording& recording) {
+/// "#rrggbb", on a terminal after a patch of that colour.
+std::string swatch_text(const std::string& hex, bool on_terminal) {
+  const std::optional<log::Rgb> color = linear_of_hex(hex);
+  return on_terminal && color ? log::color_patch(*color) + " " + hex : hex;
+}
+
+std::string recording_text(const FileInfo::Recording& recording, bool on_terminal) {
+  constexpr std::size_t kMostSwatches = 16;
   const log::Summary& sum = recording.log.summary;
   std::string text = fmt::format("recording, {}\n", recording.format);
   const auto line = [&](std::string_view key, const std::string& value) {
     if (!value.empty()) text += fmt::format("{:<12} {}\n", key, value);
   };
   line("title", recording.title);
-  line("strokes", fmt::format("{}, {} samples", sum.strokes, recording.samples));
+  line("strokes", fmt::format("{}, {} samples", recording.strokes, recording.samples));
   line("duration", fmt::format("{:.1f} s", sum.duration_s()));
   line("canvas", fmt::format("{:.4g} x {:.4g} m", recording.log.header.canvas_width_m,
                              recording.log.header.canvas_height_m));
   text += strokes_text(sum);
   line("colours", fmt::format("{}", sum.colors.size()));
+  const std::vector<std::string> swatches = swatches_of(sum);
+  for (std::size_t i = 0; i < std::min(swatches.size(), kMostSwatches); ++i)
+    text += fmt::format("  {}\n", swatch_text(swatches[i], on_terminal));
+  if (swatches.size() > kMostSwatches)
+    text += fmt::format("  and {} more\n", swatches.size() - kMostSwatches);
   line("kept", fmt::format("{}", fmt::join(recording.report.kept, ", ")));
   line("guessed", fmt::format("{}", fmt::join(recording.report.guessed, ", ")));
   line("dropped", fmt::format("{}", fmt::join(recording.report.dropped, ", ")));
@@ -236,7 +260,7 @@ std::string recording_text(const FileInfo::Recording& recording) {
   return text;
 }
 
-std::string log_text(const LogFacts& log) {
+std::string log_text(const LogFacts& log, bool on_terminal) {
   const log::Header& h = log.header;
   std::string text = fmt::format("action log, version {}\n", h.version);
   const auto line = [&](std::string_view key, const std::string& value) {
@@ -259,10 +283,12 @@ std::string log_text(const LogFacts& log) {
                               log.summary.strokes, log.undone));
   text += strokes_text(log.summary);
   line("pigments", fmt::format("{}", log.pigments.size()));
-  for (std::size_t i = 0; i < log.pigments.size(); ++i)
+  for (std::size_t i = 0; i < log.pigments.size(); ++i) {
+    const std::string swatch = swatch_text(log.swatches[i], on_terminal);
     text += log.pigments[i] == log.swatches[i]
-                ? fmt::format("  {}\n", log.pigments[i])
-                : fmt::format("  {:<24} {}\n", log.pigments[i], log.swatches[i]);
+                ? fmt::format("  {}\n", swatch)
+                : fmt::format("  {:<24} {}\n", log.pigments[i], swatch);
+  }
   for (const std::string& name : log.summary.marks) line("mark", name);
   for (const auto& [name, sha256] : log.files) line("file", name + "  " + sha256);
   line("sha256", log.summary.sha256);
@@ -318,7 +344,9 @@ std::string info_json(const FileInfo& info) {
 
 std::string info_text(const FileInfo& info) {
   if (info.output) return output_text(*info.output);
-  const std::string text = info.log ? log_text(*info.log) : recording_text(*info.recording);
+  const bool on_terminal = info.preview.has_value();
+  const std::string text =
+      info.log ? log_text(*info.log, on_terminal) : recording_text(*info.recording, on_terminal);
   return text + (info.preview ? info.preview->text() : "");
 }
 

@@ -17,7 +17,7 @@ struct FileInfo {
   /// Another program's recording, and the log that `convert` makes of it.
   struct Recording {
     std::string format, title;
-    std::int64_t samples = 0;
+    std::int64_t strokes = 0, samples = 0;  // of the file
     sketch::Report report;
     LogFacts log;
   };
@@ -34,6 +34,7 @@ Result<FileInfo> file_info(const std::string& path, const log::ReaderOptions& re
                            int preview_columns = 0);
 
 std::string info_json(const FileInfo& info);
+/// With a preview it is for a terminal: colours are shown, too.
 std::string info_text(const FileInfo& info);
 
 }  // namespace pentimento

@@ -15,11 +15,18 @@ namespace pentimento {
 
 std::string coat_hex(const Pigment& paint, double ground) {
   PENTIMENTO_CHECK(paint.K.size() == 3);
-  std::string hex = "#";
-  for (Eigen::Index band = 0; band < 3; ++band) {
-    const double linear = km_over(km_film({paint.K(band), paint.S(band)}, 1), ground);
-    hex += fmt::format("{:02x}", std::lround(255 * linear_to_srgb(std::clamp(linear, 0.0, 1.0))));
+  log::Rgb linear{};
+  for (std::size_t band = 0; band < 3; ++band) {
+    const auto b = static_cast<Eigen::Index>(band);
+    linear[band] = km_over(km_film({paint.K(b), paint.S(b)}, 1), ground);
   }
+  return hex_of(linear);
+}
+
+std::string hex_of(const log::Rgb& linear) {
+  std::string hex = "#";
+  for (const double band : linear)
+    hex += fmt::format("{:02x}", std::lround(255 * linear_to_srgb(std::clamp(band, 0.0, 1.0))));
   return hex;
 }
 

@@ -13,6 +13,9 @@ namespace pentimento {
 /// three bands: linear red, green and blue.
 std::string coat_hex(const Pigment& paint, double ground);
 
+/// "#rrggbb" of linear light; what is outside 0..1 is cut off.
+std::string hex_of(const log::Rgb& linear);
+
 /// Linear light of "#rrggbb"; nothing for other texts.
 std::optional<log::Rgb> linear_of_hex(const std::string& hex);
 

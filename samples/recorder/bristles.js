@@ -7,6 +7,14 @@
   const TURN = 0.25; // of the diameter: way over which an edge turns with the stroke
   const FULL = 0.2; // of the capacity: so far a stroke is full ...
   const EMPTY = 0.7; // ... and here the last bristle is dry
+  const EDGE = 0.86; // of the diameter: so wide is the mark of an edge
+  const DISC = 0.85; // ... and of a disc
+  const DISC_DEPTH = 0.6; // of a disc's width: bristles drag behind
+  const EDGE_DEPTH = 0.12; // of the radius: half the length of an edge along the stroke
+  const LEAN_STRETCH = 0.5, LEAN_SHIFT = 0.25, LOWEST_TILT = 1.4; // as of core/brush/tip_pose.h
+  const PAPER = 245; // of 255, as the replay shows it
+  const PICKED_UP = 0.04; // share of wet paint in the brush, after a diameter of way at full pickup
+  const FRESH_ALPHA = 0.92; // of a bristle's mark; what is left lets the marks below show
 
   // A small generator of even numbers 0..1, so that a redrawn stroke is the same stroke.
   function random(seed) {
@@ -19,21 +27,103 @@
     };
   }
 
+  const clamp01 = (v) => Math.min(1, Math.max(0, v));
   const toLinear = (v) => (v <= 0.04045 ? v / 12.92 : Math.pow((v + 0.055) / 1.055, 2.4));
   const toSrgb = (v) => (v <= 0.0031308 ? v * 12.92 : 1.055 * Math.pow(v, 1 / 2.4) - 0.055);
-  const channels = (hex) => [1, 3, 5].map((at) => parseInt(hex.slice(at, at + 2), 16) / 255);
+  const CODE_LINEAR = Array.from({ length: 256 }, (_, code) => toLinear(code / 255));
+  const channels = (hex) => [1, 3, 5].map((at) => toLinear(parseInt(hex.slice(at, at + 2), 16) / 255));
 
-  const EDGE = 0.8; // of the diameter: so wide is the mark of an edge
+  // What the replay shows of paint, fitted to one pass of twelve pigments over white, blue and yellow
+  // (to 3 of 255): gloss over a coat whose light over the ground G is black + (white - black) G.
+  const GLOSS = 0.0275, BODY = 0.979, LIGHTER = 0.79, DEEPER = 1.19;
+  const FITTED_FLOW = 0.79, FITTED_PIGMENT = 0.7; // of that pass
 
-  // The colour of a pass of paint, 0..255: what the replay shows of one pass on white.
-  function passColor(pigment) {
-    const white = channels(pigment.overWhite).map(toLinear);
-    const black = channels(pigment.overBlack).map(toLinear);
-    return white.map((w, c) => 255 * toSrgb(0.85 * Math.pow(w, 1.08) + 0.15 * black[c]));
+  // The two ends of a coat, linear light: over white and over black.
+  function coatOf(pigment) {
+    const white = channels(pigment.overWhite), black = channels(pigment.overBlack);
+    return {
+      white: white.map((w, c) => LIGHTER * Math.pow(w, DEEPER) + (1 - LIGHTER) * black[c]),
+      black,
+    };
+  }
+
+  // A coat of a colour that covers.
+  const coatOfHex = (hex) => coatOf({ overWhite: hex, overBlack: hex });
+
+  // What a coat of `thickness` passes shows over a ground, both linear light.
+  function shown({ white, black }, ground, thickness) {
+    return white.map((w, c) => {
+      const through = Math.min(0.999, Math.max(1e-4, w - black[c]));
+      const passed = Math.pow(through, thickness);
+      return GLOSS + BODY * ((black[c] * (1 - passed)) / (1 - through) + passed * ground[c]);
+    });
+  }
+
+  // The ground that shows as this colour.
+  const groundOf = (linear) => linear.map((v) => clamp01((v - GLOSS) / BODY));
+  const codesOf = (linear) => linear.map((v) => 255 * toSrgb(clamp01(v)));
+
+  // The colour of a pass on white, 0..255.
+  const passColor = (pigment) => codesOf(shown(coatOf(pigment), [1, 1, 1], 1));
+
+  // How the pen's lean moves and stretches the tip, and where its axis points, as on the replay.
+  function poseOf(point, heading, diameter) {
+    const slope = (deg) => Math.tan(Math.min(LOWEST_TILT, Math.max(-LOWEST_TILT, ((deg || 0) * Math.PI) / 180)));
+    const x = slope(point.tiltX), y = slope(point.tiltY), norm = Math.sqrt(1 + x * x + y * y);
+    const lean = { x: x / norm, y: y / norm }, size = Math.hypot(lean.x, lean.y);
+    const along = size > 0 ? { x: lean.x / size, y: lean.y / size } : { x: 1, y: 0 };
+    const stretch = 1 + LEAN_STRETCH * size;
+    const turn = ((point.twist || 0) * Math.PI) / 180, c = Math.cos(turn), s = Math.sin(turn);
+    const axis = { x: heading.x * c - heading.y * s, y: heading.x * s + heading.y * c };
+    return {
+      x: point.x + LEAN_SHIFT * diameter * lean.x,
+      y: point.y + LEAN_SHIFT * diameter * lean.y,
+      // From the tip's own axes, in radii, to the canvas.
+      place(bristle, radius) {
+        const px = radius * (bristle.along * axis.x - bristle.across * axis.y);
+        const py = radius * (bristle.along * axis.y + bristle.across * axis.x);
+        const a = (px * along.x + py * along.y) * (stretch - 1 / stretch);
+        return { x: this.x + px / stretch + along.x * a, y: this.y + py / stretch + along.y * a };
+      },
+    };
+  }
+
+  // What lies on the canvas in a box: wet paint over dry paint over paper.
+  class Ground {
+    constructor(wet, dry, left, top, width, height) {
+      this.left = Math.floor(left);
+      this.top = Math.floor(top);
+      this.width = Math.max(1, Math.ceil(width));
+      this.height = Math.max(1, Math.ceil(height));
+      this.wet = wet.getImageData(this.left, this.top, this.width, this.height).data;
+      this.dry = dry.getImageData(this.left, this.top, this.width, this.height).data;
+    }
+    // Index of the pixel; -1 outside.
+    at({ x, y }) {
+      const u = Math.round(x) - this.left, v = Math.round(y) - this.top;
+      return u < 0 || v < 0 || u >= this.width || v >= this.height ? -1 : 4 * (v * this.width + u);
+    }
+    // Linear light; bare paper is white.
+    ground(place) {
+      const i = this.at(place);
+      const wet = i < 0 ? 0 : this.wet[i + 3] / 255, dry = i < 0 ? 0 : this.dry[i + 3] / 255;
+      if (wet === 0 && dry === 0) return [1, 1, 1];
+      const linear = [0, 1, 2].map((c) => {
+        const below = dry * this.dry[i + c] + (1 - dry) * PAPER;
+        return CODE_LINEAR[Math.round(wet * this.wet[i + c] + (1 - wet) * below)];
+      });
+      return groundOf(linear);
+    }
+    // The wet paint there as a coat that covers, or null.
+    wetPaint(place) {
+      const i = this.at(place);
+      if (i < 0 || this.wet[i + 3] < 40) return null;
+      return groundOf([0, 1, 2].map((c) => CODE_LINEAR[this.wet[i + c]]));
+    }
   }
 
   class Tuft {
-    // settings: {brush, size, pigment, medium, load, pickup, rgb}; perMetre: pixels.
+    // settings: {brush, size, pigment, medium, load, pickup, coat}; perMetre: pixels.
     constructor(settings, seed, perMetre) {
       this.settings = settings;
       this.brush = R.paints.brushes[settings.brush];
@@ -41,35 +131,38 @@
       this.way = 0; // in diameters
       this.heading = null;
       const next = random(seed);
+      const wide = this.brush.wide || 1;
       this.bristles = [];
       for (let i = 0; i < this.brush.count; ++i) {
         const around = 2 * Math.PI * next();
-        const out = Math.sqrt(next());
+        const out = DISC * wide * Math.sqrt(next());
         const edge = this.brush.tip === "edge";
         this.bristles.push({
-          across: edge ? EDGE * (2 * ((i + next()) / this.brush.count) - 1) : 0.9 * out * Math.cos(around),
-          along: edge ? 0.24 * (next() - 0.5) : 0.9 * out * Math.sin(around),
+          across: edge ? EDGE * (2 * ((i + next()) / this.brush.count) - 1) : out * Math.cos(around),
+          along: edge ? 2 * EDGE_DEPTH * (next() - 0.5) : DISC_DEPTH * out * Math.sin(around),
           dry: FULL + (EMPTY - FULL) * next(), // when it has no paint left, of the capacity
           reach: 0.55 * next() * next(), // the pressure that it needs
           shade: 10 * (next() - 0.5),
-          rgb: settings.rgb.slice(),
+          white: settings.coat.white.slice(),
+          black: settings.coat.black.slice(),
           at: null,
+          ahead: [], // grounds that it comes to, and after which way
         });
       }
+      // Half the tip's length along the stroke, of the radius.
+      this.front = this.brush.tip === "edge" ? EDGE_DEPTH : DISC * DISC_DEPTH * wide;
     }
 
-    // Draws one straight piece; points are {x, y, pressure} in pixels. wet, dry: contexts.
+    // Draws one straight piece; points are {x, y, pressure, tiltX, tiltY, twist}, places in pixels and
+    // angles in degrees. wet, dry: contexts.
     line(wet, dry, from, to, light) {
       const diameter = this.settings.size * this.perMetre;
       const length = Math.hypot(to.x - from.x, to.y - from.y);
       const chords = Math.max(1, Math.ceil(length / (CHORD * diameter)));
       for (let i = 1; i <= chords; ++i) {
-        const u = i / chords;
-        this.chord(wet, dry, {
-          x: from.x + u * (to.x - from.x),
-          y: from.y + u * (to.y - from.y),
-          pressure: from.pressure + u * (to.pressure - from.pressure),
-        }, (to.x - from.x) / (length || 1), (to.y - from.y) / (length || 1), length / chords, diameter, light);
+        const u = i / chords, point = {};
+        for (const key of ["x", "y", "pressure", "tiltX", "tiltY", "twist"]) point[key] = from[key] + u * (to[key] - from[key]);
+        this.chord(wet, dry, point, (to.x - from.x) / (length || 1), (to.y - from.y) / (length || 1), length / chords, diameter, light);
       }
     }
 
@@ -77,72 +170,74 @@
       this.turn(dx, dy, length / diameter);
       const { brush, settings } = this;
       const size = diameter * (1 - brush.sizePressure * (1 - point.pressure));
-      const radius = size / 2;
+      const radius = size / 2, width = brush.mark * size * 1.3;
       this.way += length / diameter;
+      const pose = poseOf(point, this.heading, size);
+      if (settings.brush === "rag") return this.wipe(wet, pose, radius, point.pressure);
       const used = this.way / (brush.capacity * Math.max(0.05, settings.load));
       const flow = 1 - brush.flowPressure * (1 - point.pressure);
-      if (settings.pickup > 0 || !brush.lays) this.meet(wet, point, radius, length / diameter);
-      if (settings.brush === "rag") return this.wipe(wet, point, radius);
-      const alpha = Math.min(1, (0.15 + 1.1 * settings.pigment) * (0.45 + 0.55 * flow));
+      const thickness = (flow / FITTED_FLOW) * (settings.pigment / FITTED_PIGMENT);
+      const reach = 2.6 * radius + width + 2;
+      const ground = new Ground(wet, dry, pose.x - reach, pose.y - reach, 2 * reach, 2 * reach);
+      const share = Math.min(0.5, (PICKED_UP * settings.pickup * length) / diameter);
       for (const bristle of this.bristles) {
-        const x = point.x + radius * (bristle.across * -this.heading.y + bristle.along * this.heading.x);
-        const y = point.y + radius * (bristle.across * this.heading.x + bristle.along * this.heading.y);
         const last = bristle.at;
-        bristle.at = { x, y };
+        bristle.at = pose.place(bristle, radius);
+        this.look(bristle, ground, dx, dy, radius, width, diameter, share);
         if (point.pressure < bristle.reach || (brush.lays && used > bristle.dry)) continue;
         if (!brush.lays && !bristle.carries) continue;
-        this.mark(wet, last || { x: x - 0.01, y }, { x, y }, bristle, brush.mark * size * 1.3, alpha, light);
+        const color = codesOf(shown(bristle, bristle.ahead[0].ground, thickness));
+        this.mark(wet, last || { x: bristle.at.x - 0.01, y: bristle.at.y }, bristle.at, color, bristle.shade, width, light);
       }
     }
 
+    // Looks at the ground before the tip, which no bristle of this stroke has painted yet.
+    look(bristle, ground, dx, dy, radius, width, diameter, share) {
+      if (bristle.ahead.length === 0) bristle.ahead.push({ due: 0, ground: ground.ground(bristle.at) });
+      const back = this.heading.x * dx + this.heading.y * dy < 0;
+      const lead = radius * (this.front - (back ? -bristle.along : bristle.along)) + width / 2 + 2;
+      const place = { x: bristle.at.x + lead * dx, y: bristle.at.y + lead * dy };
+      bristle.ahead.push({ due: this.way + lead / diameter, ground: ground.ground(place) });
+      this.meet(bristle, ground.wetPaint(place), share);
+      while (bristle.ahead.length > 1 && bristle.ahead[1].due <= this.way) bristle.ahead.shift();
+    }
+
     // A bristle's mark, with a lit and a shaded side.
-    mark(wet, from, to, bristle, width, alpha, light) {
-      const tone = (by) =>
-        "rgb(" + bristle.rgb.map((v) => Math.max(0, Math.min(255, Math.round(v + bristle.shade + by)))).join() + ")";
+    mark(wet, from, to, color, shade, width, light) {
+      const tone = (by) => "rgb(" + color.map((v) => Math.max(0, Math.min(255, Math.round(v + 0.6 * shade + by)))).join() + ")";
       const lift = 0.35 * width * (0.4 + this.settings.medium);
       wet.lineCap = "round";
       wet.lineWidth = Math.max(0.7, width);
       const stroke = (by, strength, off) => {
-        wet.globalAlpha = alpha * strength;
+        wet.globalAlpha = FRESH_ALPHA * strength;
         wet.strokeStyle = tone(by);
         wet.beginPath();
         wet.moveTo(from.x + off * light.x, from.y + off * light.y);
         wet.lineTo(to.x + off * light.x, to.y + off * light.y);
         wet.stroke();
       };
-      if (bristle.shade > 2) stroke(-26, 0.35, -lift);
-      stroke(0, 0.9, 0);
-      if (bristle.shade > 2) stroke(30, 0.3, lift);
+      if (shade > 2) stroke(-18, 0.3, -lift);
+      stroke(0, 0.95, 0);
+      if (shade > 2) stroke(18, 0.25, lift);
       wet.globalAlpha = 1;
     }
 
-    // Takes up what wet paint lies under the tip, each bristle at its own place.
-    meet(wet, point, radius, way) {
-      this.since = (this.since || 0) + way;
-      if (this.since < 0.2) return;
-      const share = Math.min(0.5, this.settings.pickup * this.since * 1.2);
-      this.since = 0;
-      const left = Math.floor(point.x - radius), top = Math.floor(point.y - radius);
-      const side = Math.max(1, Math.ceil(2 * radius));
-      const pixels = wet.getImageData(left, top, side, side).data;
-      for (const bristle of this.bristles) {
-        if (!bristle.at) continue;
-        const x = Math.round(bristle.at.x) - left, y = Math.round(bristle.at.y) - top;
-        if (x < 0 || y < 0 || x >= side || y >= side) continue;
-        const at = 4 * (y * side + x);
-        if (pixels[at + 3] < 40) continue;
-        const part = this.brush.lays ? share : bristle.carries ? 0.4 : 1;
-        bristle.carries = true;
-        for (let c = 0; c < 3; ++c) bristle.rgb[c] += part * (pixels[at + c] - bristle.rgb[c]);
-      }
+    // Takes up the wet paint that lies before the tip.
+    meet(bristle, met, share) {
+      if (!met) return;
+      const part = this.brush.lays ? share : bristle.carries ? 0.4 : 1;
+      bristle.carries = true;
+      for (const end of [bristle.white, bristle.black])
+        for (let c = 0; c < 3; ++c) end[c] += part * (met[c] - end[c]);
     }
 
-    wipe(wet, point, radius) {
+    wipe(wet, pose, radius, pressure) {
       wet.globalCompositeOperation = "destination-out";
       for (const bristle of this.bristles) {
-        wet.globalAlpha = 0.12 * point.pressure;
+        const { x, y } = pose.place(bristle, radius);
+        wet.globalAlpha = 0.12 * pressure;
         wet.beginPath();
-        wet.arc(point.x + radius * bristle.across, point.y + radius * bristle.along, 0.3 * radius, 0, 7);
+        wet.arc(x, y, 0.3 * radius, 0, 7);
         wet.fill();
       }
       wet.globalAlpha = 1;
@@ -166,4 +261,6 @@
 
   R.Tuft = Tuft;
   R.passColor = passColor;
+  R.coatOf = coatOf;
+  R.coatOfHex = coatOfHex;
 })((window.Recorder = window.Recorder || {}));

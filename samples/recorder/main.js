@@ -164,7 +164,7 @@
     store.onProblem = (problem) => controls.say(problem);
     await store.open();
     if (!(await offerLeftOver())) await fresh();
-    controls.say(store.problem || "Paint with pen, finger or mouse. The painting is kept in this browser.");
+    controls.say(store.problem || "Paint: this browser keeps what you paint.");
     R.ready = true;
   })();
 })((window.Recorder = window.Recorder || {}));

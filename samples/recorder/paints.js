@@ -57,14 +57,14 @@
   ].map(([name, overWhite, overBlack]) => ({ name, overWhite, overBlack }));
 
   // count: bristles of the preview; mark: the width of a bristle's mark, in diameters; tip: a disc,
-  // or an edge across the stroke. sizePressure, flowPressure, capacity: as in the log's format.
+  // or an edge across the stroke; wide: of the disc, of the diameter. sizePressure, flowPressure, capacity: as in the log's format.
   const brushes = {
-    round: { count: 60, mark: 0.055, tip: "disc", sizePressure: 0.4, flowPressure: 0.7, capacity: 400, lays: true },
+    round: { count: 60, mark: 0.07, tip: "disc", sizePressure: 0.4, flowPressure: 0.7, capacity: 400, lays: true },
     flat: { count: 50, mark: 0.06, tip: "edge", sizePressure: 0.12, flowPressure: 0.7, capacity: 400, lays: true },
     filbert: { count: 46, mark: 0.06, tip: "edge", sizePressure: 0.25, flowPressure: 0.7, capacity: 400, lays: true },
-    bristle: { count: 34, mark: 0.05, tip: "edge", sizePressure: 0.2, flowPressure: 0.7, capacity: 240, lays: true },
-    fan: { count: 22, mark: 0.035, tip: "edge", sizePressure: 0.1, flowPressure: 0.6, capacity: 120, lays: true },
-    rigger: { count: 8, mark: 0.4, tip: "disc", sizePressure: 0.5, flowPressure: 0.5, capacity: 1000, lays: true },
+    bristle: { count: 28, mark: 0.038, tip: "edge", sizePressure: 0.2, flowPressure: 0.7, capacity: 240, lays: true },
+    fan: { count: 11, mark: 0.04, tip: "edge", sizePressure: 0.1, flowPressure: 0.6, capacity: 120, lays: true },
+    rigger: { count: 8, mark: 0.1, tip: "disc", wide: 0.28, sizePressure: 0.5, flowPressure: 0.5, capacity: 1000, lays: true },
     knife: { count: 60, mark: 0.06, tip: "edge", sizePressure: 0, flowPressure: 0.5, capacity: 200, lays: false },
     rag: { count: 70, mark: 0.08, tip: "disc", sizePressure: 0.2, flowPressure: 1, capacity: 200, lays: false }
   };

@@ -15,12 +15,15 @@
     return copy;
   };
 
+  // A point of which each property is told by its name.
+  const mixed = (of) => ({ x: of("x"), y: of("y"), pressure: of("pressure"), tiltX: of("tiltX"), tiltY: of("tiltY"), twist: of("twist") });
+
   class Preview {
     constructor(wetCanvas, dryCanvas) {
       this.wetCanvas = wetCanvas;
       this.dryCanvas = dryCanvas;
       this.wet = wetCanvas.getContext("2d", { willReadFrequently: true });
-      this.dry = dryCanvas.getContext("2d");
+      this.dry = dryCanvas.getContext("2d", { willReadFrequently: true });
       this.light = { x: -0.7, y: -0.7 };
       this.frame = () => this.draw();
       this.resize(1, 1, 1);
@@ -120,7 +123,8 @@
 
     point(sample) {
       const pressure = sample.pressure === undefined ? NO_SENSOR_PRESSURE : sample.pressure;
-      return { x: sample.x * this.perMetre, y: sample.y * this.perMetre, pressure };
+      const { tilt_x = 0, tilt_y = 0, twist = 0 } = sample;
+      return { x: sample.x * this.perMetre, y: sample.y * this.perMetre, pressure, tiltX: tilt_x, tiltY: tilt_y, twist };
     }
 
     begin(unit) {
@@ -133,7 +137,7 @@
     extend(unit) {
       for (; unit.drawn + 1 < unit.samples.length; ++unit.drawn) {
         const a = this.point(unit.samples[unit.drawn]), b = this.point(unit.samples[unit.drawn + 1]);
-        const middle = { x: (a.x + b.x) / 2, y: (a.y + b.y) / 2, pressure: (a.pressure + b.pressure) / 2 };
+        const middle = mixed((key) => (a[key] + b[key]) / 2);
         this.bend(unit, unit.at || a, a, middle);
         unit.at = middle;
       }
@@ -144,8 +148,7 @@
       let last = from;
       for (let i = 1; i <= steps; ++i) {
         const u = i / steps, v = 1 - u;
-        const mix = (key) => v * v * from[key] + 2 * u * v * control[key] + u * u * to[key];
-        const next = { x: mix("x"), y: mix("y"), pressure: mix("pressure") };
+        const next = mixed((key) => v * v * from[key] + 2 * u * v * control[key] + u * u * to[key]);
         unit.tuft.line(this.wet, this.dry, last, next, unit.light);
         last = next;
       }

@@ -7,7 +7,7 @@
   const SLIDERS = { size: 0.03, medium: 0.5, pigment: 0.7, load: 1, pickup: 0.3 };
 
   class Session {
-    // settings: {brush, color: {pigment, rgb} or {value, rgb}, size, medium, ..}, changed by the
+    // settings: {brush, color: {pigment, coat} or {value, coat}, size, medium, ..}, changed by the
     // controls at any time.
     constructor(log, preview, settings) {
       this.log = log;
@@ -40,7 +40,7 @@
     // What the preview paints with; a copy, as a redrawn stroke must be the same.
     look() {
       const { color, ...rest } = this.settings;
-      return { ...rest, rgb: color.rgb };
+      return { ...rest, coat: color.coat };
     }
 
     touch(phase, id, sample, clock_ms) {
@@ -139,7 +139,7 @@
   R.Session = Session;
   R.pigmentColor = (name) => ({
     pigment: name,
-    rgb: R.passColor(R.paints.pigments.find((pigment) => pigment.name === name)),
+    coat: R.coatOf(R.paints.pigments.find((pigment) => pigment.name === name)),
   });
-  R.pickedColor = (value) => ({ value, rgb: [1, 3, 5].map((at) => parseInt(value.slice(at, at + 2), 16)) });
+  R.pickedColor = (value) => ({ value, coat: R.coatOfHex(value) });
 })((window.Recorder = window.Recorder || {}));

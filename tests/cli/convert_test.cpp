@@ -22,6 +22,51 @@ TEST(CommandConvert, MakesALogOfARecordingAndReports) {
   EXPECT_EQ(place.run("convert " + kRecording + " -o m.jsonl --no-clobber").code, 5);
 }
 
+// Strokes and samples as the SOURCE.txt of each folder counts them.
+TEST(CommandConvert, CountsWhatEachFileHolds) {
+  struct Truth {
+    const char* file;
+    const char* strokes;
+    const char* samples;
+  };
+  const Truth files[] = {{"a-painter/dancer.apa", "101", "6298"},
+                         {"a-painter/mozfest.apa", "43", "2091"},
+                         {"a-painter/rose_bush.apa", "229", "4837"},
+                         {"a-painter/the_leap.apa", "206", "8808"},
+                         {"excalidraw/despair.excalidrawlib", "137", "2142"},
+                         {"excalidraw/panels.excalidraw", "8", "21"},
+                         {"excalidraw/points-x-y-pressure-ms.json", "1", "360"},
+                         {"handwriting/device-units.svc", "3", "501"},
+                         {"handwriting/physical-units.svc", "5", "819"},
+                         {"handwriting/pointer-events.json", "1", "148"},
+                         {"mypaint-painting30sec/painting30sec.dat", "30", "2253"},
+                         {"remarkable/all-pens-v5.rm", "185", "4309"},
+                         {"remarkable/colour-and-tool-v6.rm", "25", "1370"},
+                         {"remarkable/empty-v5.rm", "0", "0"},
+                         {"remarkable/lines-with-text-v6.rm", "10", "469"},
+                         {"remarkable/two-layers-line-v1-v6.rm", "2", "14"},
+                         {"tables/digital-ink-processable.csv.gz", "177", "2787"},
+                         {"tables/hello-world.csv.gz", "623", "15208"},
+                         {"tilt-brush/Blue_Tit.tilt", "471", "9403"},
+                         {"tilt-brush/Liz_Edwards_Portrait.tilt", "1952", "37773"},
+                         {"tilt-brush/OilPaint.tilt", "67", "1231"},
+                         {"tilt-brush/TiltMech.tilt", "869", "21393"},
+                         {"wacom-uim/digital-ink-processable-3.0.json", "177", "2787"},
+                         {"wacom-uim/digital-ink-processable-3.0.uim", "177", "2787"},
+                         {"wacom-uim/digital-ink-processable.uim", "178", "2789"},
+                         {"wacom-uim/hello-world.uim", "623", "15208"},
+                         {"wacom-uim/raster-brushes.uim", "4", "124"}};
+  const Workplace place;
+  for (const Truth& truth : files) {
+    const std::string file = std::string(PENTIMENTO_TEST_DATA) + "/recordings/" + truth.file;
+    const Ran ran = place.run("convert " + file + " -o m.jsonl --json");
+    ASSERT_EQ(ran.code, 0) << ran.err;
+    EXPECT_EQ(json_member(ran.out, "strokes"), truth.strokes) << truth.file;
+    EXPECT_EQ(json_member(ran.out, "samples"), truth.samples) << truth.file;
+    EXPECT_EQ(place.run("validate m.jsonl").code, 0) << truth.file;
+  }
+}
+
 TEST(CommandConvert, IsAPartOfAPipe) {
   const Workplace place;
   const Ran ran =

@@ -1,23 +1,34 @@
 // Tables of samples: a line each, fields parted by commas, semicolons or tabs, with or without
 // names in the first line. The caller's column map says which column is what; columns that it
 // leaves open are found by the usual names. Kept: places, and what there is of times, pressure,
-// tilt, twist, width and colour. A stroke ends where its name changes, where the pen is up, where
-// the pressure is 0, or, of tables that have none of these, where half a second passes.
+// tilt (by its two angles, or by altitude and azimuth), twist, width and colour (as one word, or as
+// red, green and blue, of 255 if any is over 1). Dropped: other columns. A stroke ends where its
+// name changes, where the pen is up, where the pressure is 0, or, of tables that have none of
+// these, where half a second passes.
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <initializer_list>
+#include <numbers>
+#include <tuple>
 
+#include "core/optics/srgb.h"
 #include "formats/import/read/css_color.h"
 #include "formats/import/read/readers.h"
+#include "formats/import/sketch/pen_angles.h"
 #include "formats/import/sketch/text_rows.h"
 
 namespace pentimento::sketch {
 
 namespace {
 constexpr double kGap_s = 0.5;
+constexpr double kHalfTurn_rad = std::numbers::pi;
+constexpr double kMostCode = 255;         // of red, green and blue
+constexpr std::size_t kMostNamed = 8;     // columns that a report names
+constexpr std::size_t kLongestName = 24;  // ... by so many letters of their names
 
 bool same_name(std::string_view a, std::string_view b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char p, char q) {
@@ -26,8 +37,25 @@ bool same_name(std::string_view a, std::string_view b) {
   });
 }
 
-enum CsvField { kX, kY, kTime, kPressure, kTiltX, kTiltY, kTwist, kStroke, kPen, kWidth, kColor };
-constexpr std::size_t kFields = 11;
+enum CsvField {
+  kX,
+  kY,
+  kTime,
+  kPressure,
+  kTiltX,
+  kTiltY,
+  kAltitude,
+  kAzimuth,
+  kTwist,
+  kStroke,
+  kPen,
+  kWidth,
+  kColor,
+  kRed,
+  kGreen,
+  kBlue
+};
+constexpr std::size_t kFields = 16;
 
 /// What columns are usually called; the first is the column map's own word.
 constexpr std::array<std::array<std::string_view, 4>, kFields> kUsualNames = {
@@ -37,11 +65,16 @@ constexpr std::array<std::array<std::string_view, 4>, kFields> kUsualNames = {
      {"pressure", "p", "force", "pres"},
      {"tilt_x", "tiltx", "tilt-x", "xtilt"},
      {"tilt_y", "tilty", "tilt-y", "ytilt"},
+     {"altitude_rad", "altitudeangle", "altitude_angle", "altitude-rad"},
+     {"azimuth_rad", "azimuthangle", "azimuth_angle", "azimuth-rad"},
      {"twist", "rotation", "twist_deg", "roll"},
      {"stroke", "stroke_id", "strokeid", "id"},
      {"pen", "down", "pendown", "pen_down"},
      {"width", "size", "linewidth", "line_width"},
-     {"color", "colour", "rgb", "hex"}}};
+     {"color", "colour", "rgb", "hex"},
+     {"red", "r", "color_r", "colour_r"},
+     {"green", "g", "color_g", "colour_g"},
+     {"blue", "b", "color_b", "colour_b"}}};
 
 class CsvReader {
  public:
@@ -57,7 +90,8 @@ class CsvReader {
       return !field.empty() && !number_of(field);
     });
     width_ = names.size();
-    if (!find_columns(names, named)) return bad();
+    if (!find_columns(names, named) || !complete()) return bad();
+    if (named) list_unused(names);
     finish_stroke();  // the first one begins
     if (named) {
       rest_ = first_rest;
@@ -85,9 +119,10 @@ class CsvReader {
   /// The column that the map names, by name or number; -1: not there.
   bool find_columns(const std::vector<std::string_view>& names, bool named) {
     const std::array<const std::string*, kFields> wanted = {
-        &columns_.x,      &columns_.y,      &columns_.time,  &columns_.pressure,
-        &columns_.tilt_x, &columns_.tilt_y, &columns_.twist, &columns_.stroke,
-        &columns_.pen,    &columns_.width,  &columns_.color};
+        &columns_.x,      &columns_.y,      &columns_.time,     &columns_.pressure,
+        &columns_.tilt_x, &columns_.tilt_y, &columns_.altitude, &columns_.azimuth,
+        &columns_.twist,  &columns_.stroke, &columns_.pen,      &columns_.width,
+        &columns_.color,  &columns_.red,    &columns_.green,    &columns_.blue};
     for (std::size_t f = 0; f < kFields; ++f) {
       at_[f] = -1;
       const std::string& name = *wanted[f];
@@ -119,6 +154,36 @@ class CsvReader {
     return true;
   }
 
+  /// Colours of three columns need all of them, leaning by altitude and azimuth needs both.
+  bool complete() {
+    const auto all_or_none = [&](std::initializer_list<CsvField> fields) {
+      if (std::all_of(fields.begin(), fields.end(), [&](CsvField f) { return has(f); }))
+        return true;
+      for (const CsvField f : fields) at_[f] = -1;
+      return false;
+    };
+    const bool colors = all_or_none({kRed, kGreen, kBlue}),
+               angles = all_or_none({kAltitude, kAzimuth});
+    if (!colors && !(columns_.red + columns_.green + columns_.blue).empty())
+      return fail("a colour needs columns of red, green and blue");
+    if (!angles && !(columns_.altitude + columns_.azimuth).empty())
+      return fail("a pen that leans needs columns of altitude and azimuth");
+    return true;
+  }
+
+  /// Which columns are of no use here.
+  void list_unused(const std::vector<std::string_view>& names) {
+    std::size_t unused = 0;
+    for (std::size_t c = 0; c < names.size(); ++c) {
+      if (std::find(at_.begin(), at_.end(), static_cast<int>(c)) != at_.end()) continue;
+      if (++unused <= kMostNamed)
+        sketch_.report.dropped.push_back(
+            fmt::format("column {}", quotable(names[c], kLongestName)));
+    }
+    if (unused > kMostNamed)
+      sketch_.report.dropped.push_back(fmt::format("{} more columns", unused - kMostNamed));
+  }
+
   bool has(CsvField field) const { return at_[field] >= 0; }
   std::string_view text(const std::vector<std::string_view>& row, CsvField field) const {
     return row[static_cast<std::size_t>(at_[field])];
@@ -148,6 +213,10 @@ class CsvReader {
     s.pressure = static_cast<float>(in_range(row, kPressure, 0, 1));
     s.tilt_x_deg = static_cast<float>(in_range(row, kTiltX, -90, 90));
     s.tilt_y_deg = static_cast<float>(in_range(row, kTiltY, -90, 90));
+    if (has(kAltitude) && !has(kTiltX) && !has(kTiltY))
+      std::tie(s.tilt_x_deg, s.tilt_y_deg) =
+          tilts_deg(in_range(row, kAltitude, 0, kHalfTurn_rad / 2),
+                    in_range(row, kAzimuth, -2 * kHalfTurn_rad, 2 * kHalfTurn_rad));
     s.twist_deg = static_cast<float>(in_range(row, kTwist, -360, 360));
     const double width = number(row, kWidth, 0);
     const bool down = number(row, kPen, 1) != 0;
@@ -168,12 +237,12 @@ class CsvReader {
     if (!down || hovers) return finish_stroke();
     stroke_.width = std::max(stroke_.width, width);
     stroke_.samples.push_back(s);
-    return !has(kColor) || set_color(text(row, kColor));
+    // A stroke has the colour of its first sample.
+    if (stroke_.samples.size() > 1) return true;
+    return has(kColor) ? set_color(text(row, kColor)) : !has(kRed) || set_codes(row);
   }
 
-  /// A stroke has the colour of its first sample.
   bool set_color(std::string_view words) {
-    if (stroke_.samples.size() > 1) return true;
     const std::optional<CssColor> color = css_color(words);
     if (!color) return fail(fmt::format("'{}' is not a colour", quotable(words)));
     stroke_.color = color->linear;
@@ -181,22 +250,39 @@ class CsvReader {
     return true;
   }
 
+  /// Red, green and blue wait as they are until it is known of what they are.
+  bool set_codes(const std::vector<std::string_view>& row) {
+    for (const CsvField field : {kRed, kGreen, kBlue}) {
+      const double code = in_range(row, field, 0, kMostCode);
+      stroke_.color[static_cast<std::size_t>(field - kRed)] = code;
+      most_code_ = std::max(most_code_, code);
+    }
+    return problem_.empty();
+  }
+
+  void convert_codes() {
+    const double white = most_code_ > 1 ? kMostCode : 1;
+    for (Item& item : sketch_.items)
+      for (double& band : std::get<Stroke>(item).color) band = srgb_to_linear(band / white);
+  }
+
   bool finish_stroke() {
     if (!stroke_.samples.empty()) sketch_.items.push_back(std::move(stroke_));
     stroke_ = {};
     stroke_.timed = has(kTime);
     stroke_.has_pressure = has(kPressure);
-    stroke_.has_tilt = has(kTiltX) || has(kTiltY);
+    stroke_.has_tilt = has(kTiltX) || has(kTiltY) || has(kAltitude);
     stroke_.has_twist = has(kTwist);
     return true;
   }
 
   Sketch finish() {
     constexpr std::array<const char*, kFields> kWords = {
-        "places", nullptr,   "times",           "pressure", "tilt",   nullptr,
-        "twist",  "strokes", "pen up and down", "widths",   "colours"};
+        "places", nullptr,   "times",           "pressure", "tilt",    nullptr,   "tilt",  nullptr,
+        "twist",  "strokes", "pen up and down", "widths",   "colours", "colours", nullptr, nullptr};
     for (std::size_t f = 0; f < kFields; ++f)
       if (at_[f] >= 0 && kWords[f] != nullptr) sketch_.report.kept.emplace_back(kWords[f]);
+    if (has(kRed) && !has(kColor)) convert_codes();
     if (!has(kStroke) && !has(kPen) && !has(kPressure))
       sketch_.report.guessed.emplace_back("where strokes end");
     if (!has(kTime)) sketch_.report.guessed.emplace_back("times");
@@ -215,7 +301,7 @@ class CsvReader {
   Sketch sketch_;
   Stroke stroke_;
   std::string name_;
-  double last_s_ = 0;
+  double last_s_ = 0, most_code_ = 0;
   bool any_ = false;
 };
 

@@ -20,7 +20,8 @@ enum class View {
 
 /// Which column of a table is what; "" is not there. Names of a header, or numbers from 1.
 struct CsvColumns {
-  std::string x = "x", y = "y", time, pressure, tilt_x, tilt_y, twist, stroke, pen, width, color;
+  std::string x = "x", y = "y", time, pressure, tilt_x, tilt_y, altitude, azimuth, twist, stroke,
+              pen, width, color, red, green, blue;
   double metre_per_unit = 0;  // 0: the drawing is made a metre wide
   double second_per_unit = 1;
   bool y_up = false;

@@ -54,6 +54,8 @@ struct Page {
 /// "3 erased strokes". In the order of mention.
 struct Report {
   std::vector<std::string> kept, guessed, dropped;
+  /// What the file holds, where the sketch has less or parts it otherwise; 0: as many.
+  std::int64_t file_strokes = 0, file_samples = 0;
 };
 
 struct Sketch {

@@ -48,8 +48,12 @@ Result<SketchFrame> frame_of(const Sketch& sketch, int cells) {
   out.x0 = page.x;
   out.y0 = page.y;
   out.metre_per_unit = sketch.metre_per_unit ? *sketch.metre_per_unit : 1 / longer;
-  out.canvas_width_m = page.width * out.metre_per_unit;
-  out.canvas_height_m = page.height * out.metre_per_unit;
+  // Without a unit by division, so that the longer side is 1 m exactly.
+  const auto metres = [&](double side) {
+    return sketch.metre_per_unit ? side * *sketch.metre_per_unit : side / longer;
+  };
+  out.canvas_width_m = metres(page.width);
+  out.canvas_height_m = metres(page.height);
   const log::Range& range = log::kCanvasRange;
   for (const double side : {out.canvas_width_m, out.canvas_height_m})
     if (!(side >= range.min && side <= range.max))

@@ -18,6 +18,7 @@ namespace {
 constexpr double kDefaultWidthFrac = 0.01;  // of the longer side, where the source has no width
 constexpr double kStrokesPerLength = 0.5;   // a second for half the longer side: a calm hand
 constexpr int kMostAtOnce = 64;
+constexpr double kToldCut_s = 0.05;       // less is told as 0.0
 constexpr double kPaperFree = 0.9;        // reflectance of the paper where the source names none
 constexpr double kCoveringPigment = 0.7;  // the slider's default: covers in one pass
 
@@ -251,12 +252,19 @@ Result<LogCounts> write_log(const Sketch& sketch, const SketchOrigin& origin,
   TimingOptions timing;
   timing.longest_pause_s = options.longest_pause_s;
   timing.unit_per_s = kStrokesPerLength / frame->metre_per_unit;
-  const std::vector<TimedItem> items = time_items(sketch, timing);
+  const Timetable timetable = time_items(sketch, timing);
   writer.write(header_of(sketch, *frame, origin));
-  Result<LogCounts> counts = EventWriter(*frame, timing, writer).write(items);
+  Result<LogCounts> counts = EventWriter(*frame, timing, writer).write(timetable.items);
   if (!counts) return counts;
   counts->canvas_width_m = frame->canvas_width_m;
   counts->canvas_height_m = frame->canvas_height_m;
+  counts->report = sketch.report;
+  if (timetable.waiting > 0)
+    counts->report.guessed.push_back(fmt::format(
+        "times of {} strokes that wait for another, which looks otherwise", timetable.waiting));
+  if (timetable.cut_s >= kToldCut_s)
+    counts->report.dropped.push_back(fmt::format("{:.1f} s of pauses longer than {} s",
+                                                 timetable.cut_s, options.longest_pause_s));
   return counts;
 }
 

@@ -24,6 +24,7 @@ struct LogCounts {
   std::int64_t strokes = 0, samples = 0, events = 0;
   double duration_s = 0;
   double canvas_width_m = 0, canvas_height_m = 0;
+  Report report;  // the sketch's, and what became of its times
 };
 
 /// Writes header and events. Errors: kBadInput (a

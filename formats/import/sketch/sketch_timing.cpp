@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace pentimento::sketch {
 
@@ -45,8 +46,13 @@ class Schedule {
     if (stroke.timed) {
       begin = stroke.samples.front().time_s + shift_s_;
       if (!any_) begin = 0;
-      begin = std::clamp(begin, floor_s_, std::max(floor_s_, end_s_) + options_.longest_pause_s);
-      if (last_ != nullptr && !same_settings(*last_, stroke)) begin = std::max(begin, end_s_);
+      const double latest = std::max(floor_s_, end_s_) + options_.longest_pause_s;
+      cut_s_ += std::max(0.0, begin - latest);
+      begin = std::clamp(begin, floor_s_, latest);
+      if (last_ != nullptr && !same_settings(*last_, stroke) && begin < end_s_) {
+        begin = end_s_;
+        ++waiting_;
+      }
       shift_s_ = begin - stroke.samples.front().time_s;
     }
     timed.begin_s = begin;
@@ -61,10 +67,13 @@ class Schedule {
     timed.begin_s = timed.end_s = floor_s_ = end_s_;
     last_ = nullptr;
   }
+  double cut_s() const { return cut_s_; }
+  int waiting() const { return waiting_; }
 
  private:
   const TimingOptions& options_;
-  double shift_s_ = 0, end_s_ = 0, floor_s_ = 0;
+  double shift_s_ = 0, end_s_ = 0, floor_s_ = 0, cut_s_ = 0;
+  int waiting_ = 0;
   const Stroke* last_ = nullptr;
   bool any_ = false;
 };
@@ -75,7 +84,7 @@ bool same_settings(const Stroke& a, const Stroke& b) {
          a.erases == b.erases && a.width_share_unpressed == b.width_share_unpressed;
 }
 
-std::vector<TimedItem> time_items(const Sketch& sketch, const TimingOptions& options) {
+Timetable time_items(const Sketch& sketch, const TimingOptions& options) {
   std::vector<TimedItem> out;
   for (const Item& item : sketch.items) out.push_back({&item});
   const auto is_action = [](const TimedItem& t) {
@@ -93,7 +102,7 @@ std::vector<TimedItem> time_items(const Sketch& sketch, const TimingOptions& opt
     else
       schedule.add_action(timed);
   }
-  return out;
+  return {std::move(out), schedule.cut_s(), schedule.waiting()};
 }
 
 }  // namespace pentimento::sketch

@@ -67,6 +67,7 @@ class SpacePaintingReader {
     stroke.width = static_cast<double>(in_.f32("size"));
     if (in_.ok() && !(stroke.width >= 0 && stroke.width <= kMostSize_m))
       in_.fail(fmt::format("size {} m is outside 0..{}", stroke.width, kMostSize_m));
+    stroke.width_share_unpressed = 0;  // a ribbon is as wide as size times pressure
     stroke.timed = stroke.has_pressure = true;
     const std::uint32_t points = in_.count("points", kPointBytes);
     for (std::uint32_t i = 0; i < points && in_.ok(); ++i) read_point(out);

@@ -123,6 +123,9 @@ Result<Sketch> read_tilt_brush(const Source& source, const ReadOptions& options)
   if (!strokes) return strokes.error();
 
   Sketch sketch;
+  sketch.report.file_strokes = static_cast<std::int64_t>(strokes->size());
+  for (const SpaceStroke& stroke : *strokes)
+    sketch.report.file_samples += static_cast<std::int64_t>(stroke.places.size());
   sketch.title = scene->title;
   sketch.author = scene->author;
   sketch.recorded_by = "Tilt Brush";

@@ -49,16 +49,23 @@ EventSink EditingWriter::first() const {
   return [filter](const Event& event) { filter->take(event); };
 }
 
+/// Into the file.
+void EditingWriter::put(const Event& event) {
+  ++events_;
+  last_us_ = event.time_us;
+  if (const auto* touch = std::get_if<Touch>(&event.action)) {
+    strokes_ += touch->phase == TouchPhase::kDown ? 1 : 0;
+    samples_ += touch->phase == TouchPhase::kDown || touch->phase == TouchPhase::kMove ? 1 : 0;
+  }
+  if (!std::holds_alternative<Extension>(event.action)) return inner_->write(event);
+  Event timed = event;
+  set_time(std::get<Extension>(timed.action), event.time_us);
+  inner_->write(timed);
+}
+
 template <typename Filter, typename... Arguments>
 void EditingWriter::put_before(Arguments&&... arguments) {
-  EventSink next = filters_.empty() ? [this](const Event& event) {
-    ++events_;
-    last_us_ = event.time_us;
-    if (!std::holds_alternative<Extension>(event.action)) return inner_->write(event);
-    Event timed = event;
-    set_time(std::get<Extension>(timed.action), event.time_us);
-    inner_->write(timed);
-  } : first();
+  EventSink next = filters_.empty() ? [this](const Event& event) { put(event); } : first();
   filters_.push_back(
       std::make_unique<Filter>(std::forward<Arguments>(arguments)..., std::move(next)));
 }
@@ -72,6 +79,8 @@ void EditingWriter::write(const Header& header) {
     }
     name_origin(edited, "x-merged", edits_.merged->file, edits_.merged->sha256);
   }
+  if (!edits_.gravity.empty())
+    name_origin(edited, "x-gravity", edits_.gravity_file, edits_.gravity_sha256);
   Refit refit;
   if (edits_.canvas_m) refit = fit_header(edited, edits_.canvas_m->first, edits_.canvas_m->second);
   refit.size_factor = edits_.size_factor;

@@ -26,7 +26,8 @@ struct OtherLog {
 /// What is done to a log, in this order.
 struct Edits {
   std::optional<OtherLog> merged;
-  std::vector<Event> gravity;  // replaces the log's, if there is any
+  std::vector<Event> gravity;                // replaces the log's, if there is any
+  std::string gravity_file, gravity_sha256;  // for the header: x-gravity
   std::optional<std::pair<std::int64_t, std::int64_t>> trim_us;
   std::optional<std::int64_t> longest_idle_us;
   double speed = 1;                                   // > 0
@@ -46,19 +47,23 @@ class EditingWriter : public Writer {
   /// the other log's header cannot be merged.
   Result<Published> finish() override;
 
+  /// What has been written: events; touches that went down, and their samples.
   std::int64_t events() const { return events_; }
+  std::int64_t strokes() const { return strokes_; }
+  std::int64_t samples() const { return samples_; }
   std::int64_t last_us() const { return last_us_; }
 
  private:
   template <typename Filter, typename... Arguments>
   void put_before(Arguments&&... arguments);
   EventSink first() const;
+  void put(const Event& event);
 
   Edits edits_;
   std::optional<Error> problem_;  // what is written after it is lost
   std::unique_ptr<Writer> inner_;
   std::vector<std::unique_ptr<EventFilter>> filters_;  // the last one is the first to see an event
-  std::int64_t events_ = 0, last_us_ = 0;
+  std::int64_t events_ = 0, strokes_ = 0, samples_ = 0, last_us_ = 0;
 };
 
 }  // namespace pentimento::log

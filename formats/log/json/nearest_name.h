@@ -9,8 +9,9 @@ namespace pentimento {
 
 /// ` (did you mean "pressure"?)` for the candidate nearest to `name`, if one is near; else, if
 /// `name` is part of some, ` (did you mean "a", "b" or "c"?)` for the first three of these; else
-/// empty. Near: at most a third of the letters, and no more than 3, inserted, deleted or replaced.
-/// Part of: four letters or more, whatever their case.
+/// the same for those with the word that is nearest to `name`, if one is near; else empty. Near: at
+/// most a third of the letters, and no more than 3, inserted, deleted or replaced. Parts and words
+/// have four letters or more, whatever their case.
 std::string did_you_mean(std::string_view name, std::span<const std::string_view> candidates);
 
 }  // namespace pentimento

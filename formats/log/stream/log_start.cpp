@@ -1,19 +1,22 @@
 #include "formats/log/stream/log_start.h"
 
-#include <cstdio>
+#include <filesystem>
 #include <memory>
+
+#include "formats/log/stream/byte_source.h"
 
 namespace pentimento::log {
 
 bool starts_like_a_log(const std::string& path) {
   constexpr std::size_t kEnough = 4096;  // a header names its format among its first members
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
-                                                             std::fclose);
-  if (!file) return false;
+  if (std::error_code problem; !std::filesystem::is_regular_file(path, problem)) return false;
+  const Result<std::unique_ptr<ByteSource>> source = ByteSource::open(path);
+  if (!source) return false;
   std::string head(kEnough, '\0');
-  head.resize(std::fread(head.data(), 1, head.size(), file.get()));
-  return head.starts_with("\x1f\x8b") || head.starts_with("\x28\xb5\x2f\xfd") ||
-         head.substr(0, head.find('\n')).find("\"pentimento-log\"") != std::string::npos;
+  const Result<std::size_t> count = (*source)->read(head);
+  if (!count) return true;
+  head.resize(*count);
+  return head.substr(0, head.find('\n')).find("\"pentimento-log\"") != std::string::npos;
 }
 
 }  // namespace pentimento::log

@@ -5,8 +5,9 @@
 
 namespace pentimento::log {
 
-/// Whether the file begins as an action log does: compressed, or with a header in its first line.
-/// False for what cannot be opened.
+/// Whether the file begins as an action log does: with a header in its first line, unpacked if it
+/// is compressed. True where the packed bytes are damaged at once: the reader of logs says where.
+/// False for what cannot be opened, and for pipes, of which nothing is read.
 bool starts_like_a_log(const std::string& path);
 
 }  // namespace pentimento::log

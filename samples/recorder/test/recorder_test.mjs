@@ -44,6 +44,30 @@ function expectPlaces(samples, expected, box) {
   });
 }
 
+// How far the page's picture is from the replay's: the mean difference, of 255, of small pictures.
+async function previewError(page, log) {
+  const picture = path.join(folder, "preview.png");
+  pentimento("render", log, "--width", "120", "-o", picture, "--quiet");
+  return page.evaluate(async (data) => {
+    const image = new Image();
+    image.src = data;
+    await image.decode();
+    const codes = (sources) => {
+      const canvas = document.createElement("canvas");
+      canvas.width = image.width;
+      canvas.height = image.height;
+      const context = canvas.getContext("2d");
+      context.imageSmoothingQuality = "high";
+      context.fillStyle = "#f5f4f4";
+      context.fillRect(0, 0, canvas.width, canvas.height);
+      for (const source of sources) context.drawImage(source, 0, 0, canvas.width, canvas.height);
+      return context.getImageData(0, 0, canvas.width, canvas.height).data;
+    };
+    const a = codes([image]), b = codes([document.getElementById("dry"), document.getElementById("wet")]);
+    return a.reduce((sum, code, i) => sum + Math.abs(code - b[i]), 0) / (0.75 * a.length);
+  }, "data:image/png;base64," + fs.readFileSync(picture).toString("base64"));
+}
+
 const tests = {
   async "the paints are those of the command"() {
     const page = await fresh(TABLET);
@@ -351,6 +375,10 @@ const tests = {
     const facts = JSON.parse(pentimento("info", log, "--json"));
     assert.equal(facts.strokes, 20);
     assert.match(pentimento("validate", log), /valid/);
+    // A preview without the pen's lean and without the paint below is 20 off.
+    const error = await previewError(page, log);
+    console.log(`        the preview is ${error.toFixed(1)} of 255 off`);
+    assert.ok(error < 12, `the preview is ${error} of 255 off`);
     if (pictures) {
       await sleep(200); // what is saved is told first
       fs.mkdirSync(pictures, { recursive: true });

@@ -55,6 +55,17 @@ TEST(StrokePreview, KnowsTheHeadersPigments) {
   EXPECT_EQ(preview.at(0, 0), kRed);
 }
 
+TEST(StrokePreview, TheRagWipes) {
+  StrokePreview preview(square(), 4);
+  for (const Event& event : {red(), place(kDown, 0.1, 0.1), place(kUp, 0.1, 0.1)})
+    preview.add(event);
+  ASSERT_TRUE(preview.at(0, 0));
+  for (const Event& event :
+       {at(0, BrushChange{"rag"}), place(kDown, 0.1, 0.1), place(kUp, 0.1, 0.1)})
+    preview.add(event);
+  EXPECT_FALSE(preview.at(0, 0));
+}
+
 TEST(StrokePreview, IsHalfBlocksRowByRow) {
   StrokePreview preview(square(), 2);
   for (const Event& event : {red(), at(0, Slider{"size", 0.1}), place(kDown, 0.25, 0.75)})

@@ -62,6 +62,26 @@ TEST(Convert, ALogStaysTheSamePaintingAndIsNamed) {
   EXPECT_NEAR(twice->summary.duration_s(), before->summary.duration_s() / 2, 1e-6);
 }
 
+TEST(Convert, TheSensorIsNamedAndTheLogCountedAsItIs) {
+  const test::JobFolder folder(test::kSmallLog);
+  folder.write("g.csv", "t,x,y,z\n0,0,9.8,0\n1,0,0,9.8\n");
+  ConvertJob with = job(folder, "a.jsonl");
+  with.edits.gravity_file = folder.path("g.csv");
+  with.edits.trim_s = {0, 0.5};
+  const auto done = convert(with);
+  ASSERT_TRUE(done) << done.error().message;
+  const auto after = validate_log(folder.path("out.jsonl"), {});
+  ASSERT_TRUE(after);
+  const std::string hash = test::run("sha256sum " + folder.path("g.csv")).second.substr(0, 64);
+  EXPECT_NE(
+      after->header.extensions.find(R"("x-gravity":{"file":"g.csv","sha256":")" + hash + "\"}"),
+      std::string::npos)
+      << after->header.extensions;
+  EXPECT_EQ(done->strokes, 2);
+  EXPECT_EQ(done->log_strokes, after->summary.strokes);
+  EXPECT_LT(done->log_samples, done->samples);
+}
+
 TEST(Convert, TwoLogsBecomeOneThatNamesBoth) {
   const test::JobFolder folder(test::kSmallLog);
   folder.write("b.jsonl", test::small_header() + R"({"t":0.1,"type":"brush","name":"flat"}

@@ -86,7 +86,14 @@ TEST(FileInfo, OfARecordingIsWhatItsLogWouldHold) {
                                    {"duration_s", "1"},
                                    {"colors", "1"}})
     EXPECT_EQ(json_member(json, key), value) << key;
-  EXPECT_NE(info_text(*info).find("recording, mypaint\n"), std::string::npos);
+  EXPECT_NE(json.find("\"swatches\":[\"#000000\"]"), std::string::npos) << json;
+  const std::string text = info_text(*info);
+  EXPECT_NE(text.find("recording, mypaint\n"), std::string::npos);
+  EXPECT_NE(text.find("colours      1\n  \x1b[48;2;0;0;0m  \x1b[0m #000000\n"), std::string::npos)
+      << "on a terminal a patch of the colour comes first: " << text;
+  const auto piped = file_info(folder.path("a.dat"), {});
+  ASSERT_TRUE(piped);
+  EXPECT_NE(info_text(*piped).find("colours      1\n  #000000\n"), std::string::npos);
   EXPECT_TRUE(info->preview);
   folder.write("b.dat", "0 10 10 7\n");
   EXPECT_FALSE(file_info(folder.path("b.dat"), {}));

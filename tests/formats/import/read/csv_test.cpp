@@ -1,4 +1,8 @@
+#include <set>
+
+#include "core/optics/srgb.h"
 #include "formats/import/read/readers.h"
+#include "formats/import/recording_file.h"
 #include "tests/formats/import/recordings.h"
 
 namespace pentimento::sketch {
@@ -56,6 +60,65 @@ TEST(Csv, TakesAColumnMapByNamesAndNumbersWithUnits) {
   const Result<Sketch> sketch = read("north;east\n1;2\n", named);
   ASSERT_TRUE(sketch) << sketch.error().message;
   EXPECT_EQ(stroke(sketch, 0).samples[0].x, 2);
+}
+
+TEST(Csv, LeaningComesFromAltitudeAndAzimuthAndColourFromThreeColumns) {
+  const Result<Sketch> sketch = read(
+      "x_px,y_px,stroke,altitude_rad,azimuth_rad,r,g,b,brush\n"
+      "1,2,0,0.7853981634,0,255,0,51,Circle\n1,3,0,1.5707963267,1,0,0,0,Circle\n"
+      "1,2,1,0.7853981634,1.5707963268,0,1,0,Circle\n");
+  ASSERT_TRUE(sketch) << sketch.error().message;
+  expect_sound(*sketch);
+  const Stroke& first = stroke(sketch, 0);
+  ASSERT_TRUE(first.has_tilt);
+  EXPECT_NEAR(first.samples[0].tilt_x_deg, 45, 1e-4);  // leaning to the right
+  EXPECT_NEAR(first.samples[0].tilt_y_deg, 0, 1e-4);
+  EXPECT_NEAR(first.samples[1].tilt_x_deg, 0, 1e-4);               // upright
+  EXPECT_NEAR(stroke(sketch, 1).samples[0].tilt_y_deg, 45, 1e-4);  // towards the painter
+  EXPECT_NEAR(first.color[0], 1, 1e-12);
+  EXPECT_NEAR(first.color[2], srgb_to_linear(0.2), 1e-12);
+  EXPECT_NEAR(stroke(sketch, 1).color[1], srgb_to_linear(1 / 255.0), 1e-12) << "one scale for all";
+  EXPECT_EQ(sketch->report.dropped, std::vector<std::string>{"column brush"});
+  EXPECT_NEAR(stroke(read("x,y,r,g,b\n1,1,0.5,0,1\n"), 0).color[0], srgb_to_linear(0.5), 1e-12);
+  EXPECT_EQ(read("x,y,altitude_rad,azimuth_rad\n1,1,45,0\n").error().message,
+            "a.csv:2: altitude_rad 45 is outside 0..1.5707963267948966");
+  const Result<Sketch> alone = read("x,y,r,azimuth_rad\n1,1,9,9\n");
+  ASSERT_TRUE(alone) << alone.error().message;
+  EXPECT_FALSE(stroke(alone, 0).has_tilt);
+  EXPECT_EQ(alone->report.dropped, (std::vector<std::string>{"column r", "column azimuth_rad"}));
+  CsvColumns red;
+  red.red = "r";
+  EXPECT_EQ(read("x,y,r\n1,1,1\n", red).error().message,
+            "a.csv:1: a colour needs columns of red, green and blue");
+}
+
+// Tables that were made from recordings that are read themselves, and their SOURCE.txt.
+TEST(Csv, ReadsRealTables) {
+  CsvColumns projected;
+  projected.x = "u";
+  projected.y = "v";
+  struct Truth {
+    const char* name;
+    CsvColumns columns;
+    int strokes, samples, colors;
+    bool has_tilt;
+  };
+  for (const Truth& truth : {Truth{"tables/digital-ink-processable.csv", {}, 177, 2787, 3, true},
+                             {"tables/hello-world.csv", {}, 623, 15208, 6, true},
+                             {"tables/OilPaint.csv", projected, 67, 1231, 1, false}}) {
+    const Result<std::string> bytes =
+        read_recording(std::string(PENTIMENTO_TEST_DATA) + "/recordings/" + truth.name + ".gz");
+    ASSERT_TRUE(bytes) << bytes.error().message;
+    const Result<Sketch> sketch = read(*bytes, truth.columns);
+    ASSERT_TRUE(sketch) << sketch.error().message;
+    expect_sound(*sketch);
+    EXPECT_EQ(counts_of(*sketch).strokes, truth.strokes) << truth.name;
+    EXPECT_EQ(counts_of(*sketch).samples, truth.samples) << truth.name;
+    std::set<log::Rgb> colors;
+    for (const Item& item : sketch->items) colors.insert(std::get<Stroke>(item).color);
+    EXPECT_EQ(static_cast<int>(colors.size()), truth.colors) << truth.name;
+    EXPECT_EQ(stroke(sketch, 0).has_tilt, truth.has_tilt) << truth.name;
+  }
 }
 
 TEST(Csv, StrokesEndWhereThePenIsUpOrThePressureIsZeroOrTimePasses) {

@@ -17,7 +17,7 @@ std::vector<double> beginnings(std::vector<Item> items) {
   Sketch sketch;
   sketch.items = std::move(items);
   std::vector<double> out;
-  for (const TimedItem& item : time_items(sketch, {10, 2})) out.push_back(item.begin_s);
+  for (const TimedItem& item : time_items(sketch, {10, 2}).items) out.push_back(item.begin_s);
   return out;
 }
 
@@ -39,6 +39,16 @@ TEST(SketchTiming, OrdersStrokesByTheirTimesBetweenActions) {
 TEST(SketchTiming, StrokesAtOnceMustLookAlike) {
   EXPECT_EQ(beginnings({timed(0, 4), timed(1, 3)}), (std::vector<double>{0, 1}));
   EXPECT_EQ(beginnings({timed(0, 4), timed(1, 3, 2)}), (std::vector<double>{0, 4}));
+}
+
+TEST(SketchTiming, TellsWhatItChanged) {
+  Sketch sketch;
+  sketch.items = {timed(0, 4), timed(1, 3, 2), timed(60, 61)};
+  const Timetable found = time_items(sketch, {10, 2});
+  EXPECT_EQ(found.waiting, 1);
+  EXPECT_DOUBLE_EQ(found.items[2].begin_s, 16);
+  EXPECT_DOUBLE_EQ(found.cut_s, 47) << "the second stroke was moved by 3 s, the third comes at 63";
+  EXPECT_EQ(time_items(Sketch(), {10, 2}).cut_s, 0);
 }
 
 TEST(SketchTiming, StrokesWithoutTimesFollowOneAnother) {
