@@ -8,6 +8,7 @@
 #include <map>
 
 #include "cli/command.h"
+#include "cli/limit_options.h"
 #include "cli/range.h"
 #include "cli/signals.h"
 #include "cli/values.h"
@@ -166,11 +167,15 @@ int run_convert(const Arguments& arguments) {
       ->type_name("N");
   EditTexts texts;
   add_edit_options(app, job.edits, texts, job.log_reading);
+  LimitOptions limits;
+  limits.add_to(app, job.log_reading.limits);
   add_csv_options(app, job.reading.csv);
   app.add_flag("--json", json, "the report as one JSON object, on standard output");
   app.add_flag("--quiet", quiet, "no report");
   app.add_flag("--no-clobber", job.no_clobber, "refuse to overwrite");
   if (const std::optional<int> code = parse(app, arguments)) return *code;
+  if (Result<void> limited = limits.complete(job.log_reading.limits); !limited)
+    return fail(limited.error());
   if (json && job.output == "-")
     return fail({ErrorCode::kUsage, "--json and the log cannot both go to standard output"});
 

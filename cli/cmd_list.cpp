@@ -1,4 +1,4 @@
-// pentimento list brushes|pigments|parameters|formats [NAME]: what logs may name.
+// pentimento list brushes|pigments|parameters|formats|limits [NAME]: what logs may name.
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
@@ -24,7 +24,7 @@ int run_list(const Arguments& arguments) {
   CLI::App app(kAbout, "pentimento list");
   app.add_option("what", kind, "what to list")
       ->required()
-      ->type_name("brushes|pigments|parameters|formats");
+      ->type_name("brushes|pigments|parameters|formats|limits");
   app.add_option("name", name, "only those with this in their names")->type_name("NAME");
   app.add_flag("--json", json, "one JSON object");
   if (const std::optional<int> code = parse(app, arguments)) return *code;

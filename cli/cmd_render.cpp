@@ -8,6 +8,7 @@
 
 #include "cli/command.h"
 #include "cli/film_options.h"
+#include "cli/limit_options.h"
 #include "cli/picture_options.h"
 #include "cli/progress.h"
 #include "cli/range.h"
@@ -35,6 +36,7 @@ struct RenderOptions {
   PictureOptions picture;
   FilmOptions film;
   TalkOptions talk;
+  LimitOptions limits;
   std::vector<std::string> at, set;
   std::string scheme, gravity, memory_limit, refine;
   bool dry_run = false;
@@ -72,7 +74,6 @@ void add_replay_options(CLI::App& app, RenderOptions& o) {
 }
 
 void add_limit_options(CLI::App& app, RenderOptions& o) {
-  log::Limits& limits = o.job.reading.limits;
   app.add_flag("--salvage", o.job.reading.salvage,
                "replay a log that is cut short in its last line");
   app.add_flag("--allow-outside", o.job.reading.allow_outside,
@@ -82,15 +83,7 @@ void add_limit_options(CLI::App& app, RenderOptions& o) {
   app.add_option("--scratch", o.job.scratch,
                  "a folder for what does not fit in --memory-limit; its file has no name")
       ->type_name("DIR");
-  app.add_option("--max-events", limits.max_events, "refuse a log with more")
-      ->check(in_range(1, 1e18))
-      ->type_name("N");
-  app.add_option("--max-steps", limits.max_steps, "refuse a log that takes more")
-      ->check(in_range(1, 1e18))
-      ->type_name("N");
-  app.add_option("--max-line", limits.max_line_bytes, "refuse longer lines, bytes")
-      ->check(in_range(1, 1e18))
-      ->type_name("N");
+  o.limits.add_to(app, o.job.reading.limits);
   app.add_option("--hashes", o.job.hashes, "write hashes of the state after each step, for verify")
       ->type_name("FILE");
   app.add_flag("--dry-run", o.dry_run, "tell size, steps, memory, disk and time; do nothing");
@@ -112,6 +105,7 @@ Result<std::array<double, 3>> parse_gravity(const std::string& text) {
 /// Parses the options that are text into the job.
 Result<void> complete(RenderOptions& o) {
   RenderJob& job = o.job;
+  if (Result<void> limited = o.limits.complete(job.reading.limits); !limited) return limited;
   if (!o.scheme.empty()) job.model.emplace_back("scheme", o.scheme);
   for (const std::string& setting : o.set) {
     Result<std::pair<std::string, std::string>> pair = parse_model_setting(setting);

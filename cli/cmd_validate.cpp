@@ -7,6 +7,7 @@
 #include <CLI/Formatter.hpp>
 
 #include "cli/command.h"
+#include "cli/limit_options.h"
 #include "replay/commands/validate.h"
 #include "replay/job/report_object.h"
 
@@ -41,7 +42,11 @@ int run_validate(const Arguments& arguments) {
   app.add_flag("--quiet", quiet, "say nothing of logs that are right");
   app.add_flag("--allow-outside", reading.allow_outside,
                "the logs may name files outside their folder");
+  LimitOptions limits;
+  limits.add_to(app, reading.limits);
   if (const std::optional<int> code = parse(app, arguments)) return *code;
+  if (Result<void> limited = limits.complete(reading.limits); !limited)
+    return fail(limited.error());
 
   int worst = 0;
   std::vector<std::string> verdicts;

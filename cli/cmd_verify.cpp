@@ -5,6 +5,7 @@
 #include <CLI/Formatter.hpp>
 
 #include "cli/command.h"
+#include "cli/limit_options.h"
 #include "cli/progress.h"
 #include "cli/range.h"
 #include "cli/talk.h"
@@ -27,6 +28,7 @@ constexpr const char* kAbout =
 struct VerifyWords {
   VerifyRequest request;
   TalkOptions talk;
+  LimitOptions limits;
   std::vector<std::string> set;
   std::string scheme, gravity;
 };
@@ -53,12 +55,14 @@ void add_options(CLI::App& app, VerifyWords& o) {
   app.add_flag("--salvage", job.reading.salvage, "replay a log that is cut short in its last line");
   app.add_flag("--allow-outside", job.reading.allow_outside,
                "the log may name files outside its folder");
+  o.limits.add_to(app, job.reading.limits);
   app.add_option("--threads", job.threads, "0 = all")->check(in_range(0, 1024))->type_name("N");
 }
 
 /// Parses the options that are text into the job.
 Result<void> complete(VerifyWords& o) {
   RenderJob& job = o.request.job;
+  if (Result<void> limited = o.limits.complete(job.reading.limits); !limited) return limited;
   if (!o.scheme.empty()) job.model.emplace_back("scheme", o.scheme);
   for (const std::string& setting : o.set) {
     Result<std::pair<std::string, std::string>> pair = parse_model_setting(setting);

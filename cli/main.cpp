@@ -3,6 +3,8 @@
 #include <cstdio>
 
 #include "cli/dispatch.h"
+#include "cli/guard.h"
+#include "core/base/float_environment.h"
 
 int main(int argc, char** argv) {
   using namespace pentimento::cli;
@@ -18,5 +20,7 @@ int main(int argc, char** argv) {
       {"batch", "many logs, each in a process of its own, judged", run_batch_command},
       {"batch-report", "one report of any number of runs", run_batch_report},
   };
-  return dispatch(kCommands, Arguments(argv + 1, argv + argc));
+  pentimento::set_plain_arithmetic();
+  return guarded_on_large_stack(
+      [&] { return dispatch(kCommands, Arguments(argv + 1, argv + argc)); });
 }

@@ -1,6 +1,8 @@
 #pragma once
-// SIGINT and SIGTERM ask the job to stop. The job ends at a safe point and leaves no file half
-// written. A second signal changes nothing.
+// SIGINT, SIGTERM and SIGHUP ask the job to stop. The job ends at a safe point and leaves no file
+// half written. Who asks again, half a second later or more, does not want to wait: the process
+// removes its temporary files and ends at once. (Within half a second the same wish may arrive
+// twice: `timeout` and shells send it to the process and to its group.)
 
 #include <atomic>
 

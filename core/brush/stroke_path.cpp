@@ -162,15 +162,44 @@ void StrokePath::run(const Segment& segment, std::vector<Stamp>& out) {
   const double wanted = kChordsPerStamp * segment.chord_m / step_m;
   const int chords =
       wanted >= kMaxChords ? kMaxChords : std::max(kMinChords, static_cast<int>(wanted) + 1);
+  const bool is_far = misses_canvas(segment);
   Point a = segment.at(0);
   for (int i = 0; i < chords; ++i) {
     const double u0 = static_cast<double>(i) / chords;
     const double u1 = static_cast<double>(i + 1) / chords;
     const Point b = segment.at(u1);
-    run_chord(segment, u0, u1, a, b, out);
+    if (is_far) {
+      pass_chord(length(b.x - a.x, b.y - a.y), step_between(segment, u0, u1));
+    } else {
+      run_chord(segment, u0, u1, a, b, out);
+    }
     a = b;
   }
   final_until_s_ = segment.to.time_s;
+}
+
+double StrokePath::diameter_between(const Segment& segment, double u0, double u1) {
+  return mix(segment.from.diameter_m, segment.to.diameter_m, static_cast<float>(0.5 * (u0 + u1)));
+}
+
+double StrokePath::step_between(const Segment& segment, double u0, double u1) const {
+  return spacing_frac_ * diameter_between(segment, u0, u1);
+}
+
+/// Whether the tip is too far from the canvas on the whole segment. A curve lies in the hull of its
+/// four control points; the margin is wide beside what rounding does to a chord.
+bool StrokePath::misses_canvas(const Segment& segment) const {
+  constexpr double kMargin = 1.001;
+  const SplineSegment& c = segment.curve;
+  const Point end = c.at(1), slope = c.end_slope();
+  const double reach_m =
+      kMargin * std::max(segment.from.diameter_m, segment.to.diameter_m) + kPauseFrac * width_m_;
+  const auto misses = [&](double p0, double m0, double p3, double m3, double size) {
+    const auto [low, high] = std::minmax({p0, p0 + m0 / 3, p3 - m3 / 3, p3});
+    return high < -reach_m || low > size + reach_m;
+  };
+  return misses(c.start.x, c.m0.x, end.x, slope.x, width_m_) ||
+         misses(c.start.y, c.m0.y, end.y, slope.y, height_m_);
 }
 
 /// Places the stamps of one straight piece. The part from which the tip cannot reach the canvas is
@@ -180,8 +209,8 @@ void StrokePath::run_chord(const Segment& segment, double u0, double u1, const P
   const Point d{b.x - a.x, b.y - a.y};
   const double chord_m = length(d.x, d.y);
   if (!(chord_m > 0)) return;
-  const double diameter_m = stamp_between(segment.from, segment.to, 0.5 * (u0 + u1)).diameter_m;
-  const double step_m = spacing_frac_ * diameter_m;
+  const double diameter_m = diameter_between(segment, u0, u1);
+  const double step_m = step_between(segment, u0, u1);
   const Vec2f direction{static_cast<float>(d.x / chord_m), static_cast<float>(d.y / chord_m)};
   const double duration_s =
       std::max(kShortestTime, segment.to.time_s - segment.from.time_s) * (u1 - u0);
@@ -205,6 +234,12 @@ void StrokePath::run_chord(const Segment& segment, double u0, double u1, const P
     s.velocity_m_s = {direction.x * speed, direction.y * speed};
     out.push_back(s);
   }
+  pass_chord(chord_m, step_m);
+}
+
+/// The brush moves on by a straight piece.
+void StrokePath::pass_chord(double chord_m, double step_m) {
+  if (!(chord_m > 0)) return;
   total_m_ += chord_m;
   const double ahead = progress_ + chord_m / step_m;
   progress_ = ahead - std::floor(ahead);

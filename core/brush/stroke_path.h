@@ -70,6 +70,10 @@ class StrokePath {
   void run(const Segment& segment, std::vector<Stamp>& out);
   void run_chord(const Segment& segment, double u0, double u1, const Point& a, const Point& b,
                  std::vector<Stamp>& out);
+  void pass_chord(double chord_m, double step_m);
+  static double diameter_between(const Segment& segment, double u0, double u1);
+  double step_between(const Segment& segment, double u0, double u1) const;
+  bool misses_canvas(const Segment& segment) const;
   void add_dab(Stamp stamp, double travel_m, std::vector<Stamp>& out);
   void turn_heading(const Vec2f& direction, double travel_m, double diameter_m);
   Span near_canvas(const Point& a, const Point& d, double reach_m) const;

@@ -16,6 +16,7 @@
 #include <cmath>
 #include <exception>
 
+#include "core/base/thread_count.h"
 #include "core/base/threads.h"
 #include "formats/color/converted_file.h"
 #include "formats/exr/chromaticities.h"
@@ -251,6 +252,18 @@ Result<Published> ExrFile::complete() {
 
 }  // namespace
 
+namespace {
+/// OpenEXR's pool serves the whole process; with none of its threads the caller compresses.
+void share_compression(int threads) {
+  if (threads <= 1 || threads <= Imf::globalThreadCount()) return;
+  try {
+    Imf::setGlobalThreadCount(threads);
+  } catch (const std::exception&) {
+    Imf::setGlobalThreadCount(0);  // the machine gives no more threads
+  }
+}
+}  // namespace
+
 Result<std::unique_ptr<PictureFile>> create_exr(const std::string& path,
                                                 const ExrOptions& options) {
   PENTIMENTO_CHECK(options.width > 0 && options.height > 0 && !options.channels.empty());
@@ -258,9 +271,7 @@ Result<std::unique_ptr<PictureFile>> create_exr(const std::string& path,
   if (!file) return file.error();
   if ((*file)->is_stream())
     return Error{ErrorCode::kUsage, path + ": an EXR cannot be written to a pipe or a device"};
-  const int threads = Threads(options.threads).count();
-  // OpenEXR's pool serves the whole process; with none of its threads the caller compresses.
-  if (threads > 1 && threads > Imf::globalThreadCount()) Imf::setGlobalThreadCount(threads);
+  share_compression(wanted_threads(options.threads));
   try {
     return convert_light(std::make_unique<ExrFile>(path, std::move(*file), options),
                          options.profile, options.channels, options.threads);

@@ -2,15 +2,18 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
+#include <ctime>
 #include <utility>
 
 #include "formats/io/file_place.h"
 #include "formats/io/part_file.h"
+#include "formats/io/temporaries.h"
 
 namespace pentimento {
 
@@ -19,11 +22,31 @@ namespace {
 constexpr std::size_t kBufferBytes = std::size_t{1} << 20;
 constexpr int kStreamFile = STDOUT_FILENO;
 
-/// Writes all bytes; returns 0 or errno.
-int write_all(int descriptor, const std::uint8_t* bytes, std::size_t count) {
+/// Opens a pipe that another program reads, and waits a while until it does. Returns the
+/// descriptor, or -1 and errno.
+int open_pipe(const std::string& path) {
+  constexpr int kLooks = 200;
+  constexpr timespec kBetween = {0, 50'000'000};  // so that it waits for 10 s
+  for (int look = 0; look < kLooks; ++look) {
+    const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK);
+    if (descriptor >= 0 || errno != ENXIO) return descriptor;
+    if (::nanosleep(&kBetween, nullptr) != 0) return -1;
+  }
+  errno = ENXIO;
+  return -1;
+}
+
+/// Writes all bytes; returns 0 or errno. The reader of a stream may never go on reading, so a
+/// signal ends it (EINTR).
+int write_all(int descriptor, const std::uint8_t* bytes, std::size_t count, bool is_stream) {
   while (count > 0) {
     const ssize_t n = ::write(descriptor, bytes, count);
-    if (n < 0 && errno == EINTR) continue;
+    if (n < 0 && errno == EINTR && !is_stream) continue;
+    if (n < 0 && errno == EAGAIN) {
+      pollfd waiting{descriptor, POLLOUT, 0};
+      if (::poll(&waiting, 1, -1) < 0) return errno;
+      continue;
+    }
     if (n < 0) return errno;
     if (n == 0) return EIO;
     bytes += n;
@@ -35,6 +58,8 @@ int write_all(int descriptor, const std::uint8_t* bytes, std::size_t count) {
 }  // namespace
 
 Error OutputFile::io_error(int error_number) const {
+  if (error_number == EINTR) return {ErrorCode::kInterrupted, path_ + ": interrupted"};
+  if (error_number == ENXIO) return {ErrorCode::kIo, path_ + ": nobody reads this pipe"};
   return {ErrorCode::kIo, fmt::format("{}: {}", path_ == "-" ? "standard output" : path_,
                                       std::strerror(error_number))};
 }
@@ -60,14 +85,18 @@ Result<void> OutputFile::open_temporary(bool no_clobber) {
     if (S_ISDIR(info.st_mode)) return io_error(EISDIR);
     if (!S_ISREG(info.st_mode)) {
       // A pipe or a device: replacing it by a file would be wrong, so bytes go through it.
-      descriptor_ = ::open(target_.c_str(), O_WRONLY | O_CLOEXEC);
+      descriptor_ = S_ISFIFO(info.st_mode) ? open_pipe(target_)
+                                           : ::open(target_.c_str(), O_WRONLY | O_CLOEXEC);
       return descriptor_ < 0 ? Result<void>(io_error(errno)) : Result<void>();
     }
     if (no_clobber) return io_error(EEXIST);
   }
   temporary_ = part_name(target_);
   descriptor_ = ::open(temporary_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  if (descriptor_ >= 0) return {};
+  if (descriptor_ >= 0) {
+    note_temporary(temporary_);
+    return {};
+  }
   const Error error = io_error(errno);
   temporary_.clear();
   return error;
@@ -75,7 +104,9 @@ Result<void> OutputFile::open_temporary(bool no_clobber) {
 
 OutputFile::~OutputFile() {
   if (descriptor_ >= 0 && descriptor_ != kStreamFile) ::close(descriptor_);
-  if (!published_ && !temporary_.empty()) ::unlink(temporary_.c_str());
+  if (temporary_.empty()) return;
+  if (!published_) ::unlink(temporary_.c_str());
+  forget_temporary(temporary_);
 }
 
 void OutputFile::write(const void* bytes, std::size_t count) {
@@ -93,7 +124,8 @@ void OutputFile::write(const void* bytes, std::size_t count) {
 }
 
 void OutputFile::flush() {
-  if (!failed()) error_number_ = write_all(descriptor_, buffer_.data(), buffer_.size());
+  if (!failed())
+    error_number_ = write_all(descriptor_, buffer_.data(), buffer_.size(), is_stream());
   if (sequential_) written_.update(buffer_.data(), buffer_.size());
   buffer_.clear();
 }

@@ -35,7 +35,7 @@ class LogReader : public Reader {
   LogReader(std::string name, std::unique_ptr<ByteSource> source, const ReaderOptions& options)
       : name_(std::move(name)),
         options_(options),
-        lines_(std::move(source), options.limits.max_line_bytes),
+        lines_(std::move(source), options),
         rules_(header_, options) {}
 
   Result<void> read_header();
@@ -73,6 +73,7 @@ class LogReader : public Reader {
 
 Error LogReader::located(const Error& error) const {
   if (error.code == ErrorCode::kIo) return error;  // names the file itself
+  if (error.code == ErrorCode::kInterrupted) return error;
   return {error.code, fmt::format("{}:{}: {}", name_, lines_.line_number(),
                                   brief_line(error.message, kMostMessageBytes))};
 }
@@ -96,6 +97,8 @@ Result<void> LogReader::read_header() {
   header_ = Header();
   const std::string problem = header_problem(**line);
   if (!problem.empty()) return bad(problem);
+  if (const std::string over = header_over_limit(header_, options_.limits); !over.empty())
+    return located({ErrorCode::kLimit, over});
   rules_ = LogRules(header_, options_);
   return {};
 }
@@ -185,7 +188,7 @@ Result<void> LogReader::rewind() {
 
 Result<std::unique_ptr<Reader>> Reader::open(const std::string& path,
                                              const ReaderOptions& options) {
-  Result<std::unique_ptr<ByteSource>> source = ByteSource::open(path);
+  Result<std::unique_ptr<ByteSource>> source = ByteSource::open(path, options);
   if (!source) return source.error();
   auto reader = std::make_unique<LogReader>(path == "-" ? "standard input" : path,
                                             std::move(*source), options);

@@ -11,6 +11,7 @@
 #include "core/optics/paints/pigment_library.h"
 #include "formats/import/sketch/recording.h"
 #include "formats/log/json/nearest_name.h"
+#include "formats/log/tables/limits.h"
 #include "formats/log/tables/model_fields.h"
 #include "formats/log/tables/slider_fields.h"
 #include "replay/job/report_object.h"
@@ -84,6 +85,19 @@ Catalogue formats() {
   return out;
 }
 
+/// What a log may not be over, and the option that raises it.
+Catalogue limits() {
+  Catalogue out{"limits", {"name", "limit", "unit", "option", "reason"}, {}};
+  const log::Limits values;
+  for (const log::LimitRow& row : log::limit_rows())
+    out.rows.push_back({text(row.name),
+                        {fmt::format("{}", values.*row.value), false},
+                        text(row.unit),
+                        text(row.option),
+                        text(row.reason)});
+  return out;
+}
+
 struct CatalogueKind {
   std::string_view name, of_one;
   Catalogue (*make)();
@@ -91,7 +105,8 @@ struct CatalogueKind {
 constexpr CatalogueKind kKinds[] = {{"brushes", "brush", brushes},
                                     {"pigments", "pigment", pigments},
                                     {"parameters", "parameter", parameters},
-                                    {"formats", "format", formats}};
+                                    {"formats", "format", formats},
+                                    {"limits", "limit", limits}};
 
 std::string lower(std::string_view words) {
   std::string out(words);

@@ -22,7 +22,7 @@ struct Catalogue {
   std::vector<std::vector<CatalogueCell>> rows;
 };
 
-/// The names of the catalogues: brushes, pigments, parameters, formats.
+/// The names of the catalogues: brushes, pigments, parameters, formats, limits.
 std::vector<std::string_view> catalogue_names();
 
 /// A catalogue; of it only what has the words of `name` in its name, whatever the case, if that is

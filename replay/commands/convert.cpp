@@ -179,7 +179,9 @@ Result<void> convert_recording(const ConvertJob& job, ConvertFacts& facts,
 
 Result<void> convert_log(const ConvertJob& job, ConvertFacts& facts,
                          std::unique_ptr<log::EditingWriter>& writer) {
-  Result<std::unique_ptr<log::Reader>> reader = log::Reader::open(job.input, job.log_reading);
+  log::ReaderOptions reading = job.log_reading;
+  if (job.control) reading.cancelled = job.control().cancelled;
+  Result<std::unique_ptr<log::Reader>> reader = log::Reader::open(job.input, reading);
   if (!reader) return reader.error();
   // The first pass finds what is wrong before anything is written, and the hash.
   bool names_files = false;

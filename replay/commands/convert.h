@@ -38,7 +38,8 @@ struct ConvertJob {
   log::ReaderOptions log_reading;
   LogEdits edits;
   bool no_clobber = false;
-  /// Asked once, before anything is written: until then a signal may end the process. May be empty.
+  /// Asked before a log is read and before anything is written: until then a signal may end the
+  /// process. May be empty.
   std::function<Control()> control;
 };
 

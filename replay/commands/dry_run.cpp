@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "core/base/thread_count.h"
 #include "replay/estimate/time_estimate.h"
 #include "replay/job/report_object.h"
 #include "replay/output/output_plan.h"
@@ -32,7 +33,7 @@ Result<JobEstimate> dry_run(const RenderJob& job, const Control& control) {
   estimate.log_sha256 = session->plan.sha256;
   estimate.cell_step_s = cell_step_seconds(*session);
   estimate.time_s = job_seconds(job, *session, *survey, *written, estimate.cell_step_s,
-                                Threads(job.threads).count());
+                                wanted_threads(job.threads));
   return estimate;
 }
 

@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/base/float_environment.h"
 #include "core/brush/stroke_path.h"
 #include "core/canvas/canvas_source.h"
 #include "core/shading/shader.h"
@@ -188,6 +189,7 @@ Easel::Easel(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 Easel::~Easel() = default;
 
 Result<std::unique_ptr<Easel>> Easel::open(const log::Header& header, int threads) {
+  const PlainArithmetic plain;
   LogFiles files("-", false);
   Result<BrushTable> brushes = BrushTable::make(header, files);
   if (!brushes) return brushes.error();
@@ -200,17 +202,20 @@ Result<std::unique_ptr<Easel>> Easel::open(const log::Header& header, int thread
 }
 
 void Easel::take_brush(const std::string& name, const BrushSettings& settings) {
+  const PlainArithmetic plain;
   if (!impl_->brushes.has(name)) return impl_->fail("no brush is called \"" + name + "\"");
   impl_->hold(impl_->brushes.find(name), settings);
 }
 
 void Easel::take_color(const std::string& pigment) {
+  const PlainArithmetic plain;
   if (!impl_->palette.has(pigment))
     return impl_->fail("no pigment of the palette is called \"" + pigment + "\"");
   impl_->simulation.set_color(impl_->palette.find(pigment));
 }
 
 void Easel::stroke(const std::vector<StrokePoint>& points, double speed_m_s) {
+  const PlainArithmetic plain;
   PENTIMENTO_CHECK(speed_m_s > 0);
   Impl& in = *impl_;
   if (in.problem || points.empty()) return;
@@ -226,12 +231,14 @@ void Easel::stroke(const std::vector<StrokePoint>& points, double speed_m_s) {
 }
 
 void Easel::wait(double seconds) {
+  const PlainArithmetic plain;
   PENTIMENTO_CHECK(seconds >= 0);
   impl_->now_us += microseconds(seconds);
   if (!impl_->problem) impl_->advance(impl_->now_us);
 }
 
 void Easel::step(int steps) {
+  const PlainArithmetic plain;
   PENTIMENTO_CHECK(steps >= 0);
   Impl& in = *impl_;
   if (in.problem) return;
@@ -244,10 +251,12 @@ void Easel::step(int steps) {
 }
 
 void Easel::set_gravity(double x_m_s2, double y_m_s2, double z_m_s2) {
+  const PlainArithmetic plain;
   impl_->simulation.set_gravity(core_gravity({x_m_s2, y_m_s2, z_m_s2}));
 }
 
 std::unique_ptr<Easel> Easel::fork() const {
+  const PlainArithmetic plain;
   return std::unique_ptr<Easel>(new Easel(std::make_unique<Impl>(*impl_)));
 }
 
@@ -260,6 +269,7 @@ double Easel::time_s() const {
 }
 
 void Easel::dry() {
+  const PlainArithmetic plain;
   if (!impl_->problem) impl_->simulation.dry();
 }
 
@@ -287,6 +297,7 @@ Result<void> Easel::Impl::open_shader() {
 }
 
 Result<Published> Easel::write_png(const std::string& path, int width) {
+  const PlainArithmetic plain;
   Impl& in = *impl_;
   const Result<OutputSize> size = in.picture_size(width);
   if (!size) return size.error();
@@ -305,6 +316,7 @@ Result<Published> Easel::write_png(const std::string& path, int width) {
 }
 
 Result<EaselPicture> Easel::picture(int width) {
+  const PlainArithmetic plain;
   Impl& in = *impl_;
   const Result<OutputSize> size = in.picture_size(width);
   if (!size) return size.error();

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "core/base/float_environment.h"
 #include "formats/hdf5/state_dump.h"
 #include "formats/io/provenance.h"
 #include "formats/log/tables/model_fields.h"
@@ -120,6 +121,7 @@ Result<OutputSize> relit_size(SizeRequest request, const CanvasGeometry& guide,
 }  // namespace
 
 Result<JobReport> relight(const RelightJob& job, const Control& control) {
+  const PlainArithmetic plain;
   Stopwatch watch;
   watch.start("read");
   if (job.picture.debug_view && !job.light_path.empty()) {

@@ -7,6 +7,9 @@
 #include <numeric>
 #include <utility>
 
+#include "core/base/float_environment.h"
+#include "core/base/thread_count.h"
+#include "replay/estimate/disk_check.h"
 #include "replay/estimate/memory_estimate.h"
 #include "replay/film/film_plan.h"
 #include "replay/hashes/hash_recorder.h"
@@ -135,6 +138,10 @@ Result<void> Replay::begin() {
   files_ = std::move(*files);
   if (Result<void> claimed = claim_outputs(); !claimed) return claimed;
   watch_.start("prepare");
+  if (const int wanted = wanted_threads(job_.threads); threads_.count() < wanted) {
+    control_.warning(fmt::format("the machine gives {} of {} threads; the result is the same",
+                                 threads_.count(), wanted));
+  }
   // The light that the options ask for.
   Result<LightOverride> light = LightOverride::make(job_.light);
   if (!light) return light.error();
@@ -162,7 +169,7 @@ Result<void> Replay::begin() {
   }
   // The log's events in time, the hand that does them, and the player who lets time pass.
   const TimelineInput input{session_.plan.undo, session_.brushes, session_.plan.stepped,
-                            last_stroke_id(simulation_->state()) + 1};
+                            last_stroke_id(simulation_->state()) + 1, control_.cancelled};
   timeline_ = std::make_unique<Timeline>(*session_.reader, input);
   hand_ = std::make_unique<Hand>(*simulation_,
                                  hand_input(session_, fine_ ? &fine_->substrate() : nullptr));
@@ -326,6 +333,7 @@ void Replay::conclude() {
 }  // namespace
 
 Result<JobReport> render(const RenderJob& job, const Control& control) {
+  const PlainArithmetic plain;
   Stopwatch watch;
   watch.start("read");
   if (job.settle_s && job.stops.size() > 1) {
@@ -340,6 +348,8 @@ Result<JobReport> render(const RenderJob& job, const Control& control) {
     survey = survey_paint(*session, DetailCost(), control);  // else nothing follows it
   if (!survey) return survey.error();
   if (Result<void> fits = check_memory(job, *session, *survey); !fits) return fits.error();
+  const JobNeeds needs = job_needs(job, *session, *survey);
+  if (Result<void> fits = check_disk(disk_uses(job, *session, needs)); !fits) return fits.error();
   // The frames of a film are stops of the replay.
   std::optional<FilmPlan> film;
   if (makes_film(job)) {

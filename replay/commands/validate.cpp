@@ -39,7 +39,8 @@ Result<LogFacts> validate_log(const std::string& path, const log::ReaderOptions&
   if (!summary) return summary.error();
   facts.summary = std::move(*summary);
   if (Result<void> back = (*reader)->rewind(); !back) return back.error();
-  Result<LogPlan> plan = plan_log(**reader, files, {});
+  StampBudget budget(facts.header, *brushes, reading.limits);
+  Result<LogPlan> plan = plan_log(**reader, files, {}, {}, {}, &budget);
   if (!plan) return plan.error();
   facts.undone = count_undone(plan->undo);
   facts.steps = plan->steps;

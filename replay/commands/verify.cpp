@@ -60,7 +60,9 @@ Result<void> check_origin(const HashHeader& recorded, const LogSession& session,
 std::string event_in(const std::string& log, std::int64_t line_number) {
   Result<std::unique_ptr<log::ByteSource>> bytes = log::ByteSource::open(log);
   if (log == "-" || !bytes) return {};
-  log::LineSource lines(std::move(*bytes), std::int64_t{1} << 30);
+  log::ReaderOptions options;
+  options.limits.max_line_bytes = std::int64_t{1} << 30;
+  log::LineSource lines(std::move(*bytes), options);
   while (true) {
     const Result<std::optional<log::Line>> line = lines.next();
     if (!line || !*line || (*line)->number > line_number) return {};

@@ -1,9 +1,12 @@
 #include "replay/estimate/memory_estimate.h"
 
 #include <fmt/format.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <fstream>
+#include <limits>
 
 #include "core/shading/light_lock.h"
 #include "replay/output/output_plan.h"
@@ -13,6 +16,7 @@ namespace pentimento {
 
 namespace {
 constexpr std::int64_t kMB = 1'000'000;
+constexpr std::int64_t kMebibyte = 1 << 20;    // what `M` is in --memory-limit
 constexpr std::int64_t kProgramme = 75 * kMB;  // code, libraries
 constexpr std::int64_t kSchemePlanes = 24;     // scratch of a scheme and the brush's contact
 constexpr std::int64_t kFollowedCell = 150;    // noted of a cell of the guide for the detail canvas
@@ -21,6 +25,11 @@ constexpr std::int64_t kDumpCache = 64 * kMB;  // chunks being compressed
 constexpr std::int64_t kDumpRead = 256 * kMB;  // of a detail canvas that goes on, at most
 constexpr std::int64_t kLeastDetail = 128 * kMB;  // of a scratch file held: tiles at work
 
+/// Rounded up.
+std::int64_t mebibytes(std::int64_t bytes) {
+  return (bytes + kMebibyte - 1) / kMebibyte;
+}
+
 std::int64_t state_bytes(const LogSession& session) {
   const std::int64_t cells = std::int64_t{session.grid.width} * session.grid.height;
   const std::int64_t planes =
@@ -28,8 +37,20 @@ std::int64_t state_bytes(const LogSession& session) {
   return cells * planes * 4;
 }
 
+/// What `ulimit -v` leaves, counted as a job is: with the programme. No limit: as much as there is.
+std::int64_t address_space() {
+  rlimit space{};
+  if (getrlimit(RLIMIT_AS, &space) != 0 || space.rlim_cur == RLIM_INFINITY)
+    return std::numeric_limits<std::int64_t>::max();
+  std::int64_t pages = 0;  // that are in use, most of them by libraries
+  std::ifstream("/proc/self/statm") >> pages;
+  return static_cast<std::int64_t>(space.rlim_cur) - pages * sysconf(_SC_PAGE_SIZE) + kProgramme;
+}
+
 std::int64_t machine_memory() {
-  return static_cast<std::int64_t>(sysconf(_SC_PHYS_PAGES)) * sysconf(_SC_PAGE_SIZE);
+  const std::int64_t all =
+      static_cast<std::int64_t>(sysconf(_SC_PHYS_PAGES)) * sysconf(_SC_PAGE_SIZE);
+  return std::min(all, address_space());
 }
 
 std::int64_t picture_planes(OutputKind kind, const PictureChoice& choice,
@@ -73,7 +94,7 @@ std::int64_t shading_bytes(const LogSession& session, const PictureChoice& choic
 }
 
 struct Writing {
-  std::int64_t memory = 0, disk = 0;
+  std::int64_t memory = 0, disk = 0, pictures = 0;  // `pictures` is a part of `disk`
 };
 
 /// What writing one set of outputs takes.
@@ -93,30 +114,31 @@ Writing writing_needs(const RenderJob& job, const LogSession& session,
       continue;
     }
     const std::int64_t planes = picture_planes(output.kind, job.picture, session.basis);
-    needs.disk +=
+    needs.pictures +=
         std::int64_t{size.width} * size.height * planes * sample_bytes(output.kind, job.picture);
     shading = std::max(shading, shading_bytes(session, job.picture, size, planes));
   }
   // One after the other. Mesa stays, which matters beside a file in memory.
   if (session.detail == 1 && shading > 0 && dumping > 0) dumping += kShader;
+  needs.disk += needs.pictures;
   needs.memory = std::max(shading, dumping);
   return needs;
 }
 
-/// What the job may do about it.
-std::string remedies(const RenderJob& job, const LogSession& session, std::int64_t limit,
-                     std::int64_t least) {
+/// What the job may do about it, as the end of a sentence.
+std::string remedies(const RenderJob& job, const LogSession& session, std::int64_t needed,
+                     std::int64_t limit, std::int64_t least) {
   std::string text;
+  // More than the machine has would be no help.
+  if (needed <= machine_memory()) text += fmt::format(", --memory-limit {}M", mebibytes(needed));
   if (session.detail > 1 && job.scratch.empty() && least <= limit) text += ", --scratch DIR";
   if (session.detail > 1) text += fmt::format(", --detail {}", session.detail / 2);
   if (session.refine == Refine::kDirect) text += ", --refine guided";
-  return text;
+  return text.empty() ? "; no option makes it fit" : "; it fits with" + text.substr(1);
 }
-}  // namespace
 
-namespace {
 std::int64_t limit_of(const RenderJob& job) {
-  return job.max_memory.value_or(machine_memory());
+  return std::min(job.max_memory.value_or(machine_memory()), address_space());
 }
 
 std::int64_t guide_bytes(const LogSession& session) {
@@ -142,6 +164,7 @@ JobNeeds job_needs(const RenderJob& job, const LogSession& session, const PaintS
   const std::int64_t detail =
       session.detail > 1 ? static_cast<std::int64_t>(survey.detail_bytes) : 0;
   needs.disk_bytes = points * writing.disk;
+  needs.picture_bytes = points * writing.pictures;
   needs.scratch_bytes = job.scratch.empty() ? 0 : detail;
   needs.memory_bytes =
       others + (job.scratch.empty() ? detail : std::min(detail, budget_beside(others, job)));
@@ -163,12 +186,10 @@ Result<void> check_memory(const RenderJob& job, const LogSession& session,
   with_scratch.scratch = "any";
   const std::int64_t least = job_needs(with_scratch, session, survey).memory_bytes;
   const std::int64_t k = session.detail;
-  return Error{
-      ErrorCode::kLimit,
-      fmt::format("{} x {} cells need about {} MB of memory, the limit is {} MB; it fits "
-                  "with --memory-limit {}M{}",
-                  k * session.grid.width, k * session.grid.height, needed / kMB, limit / kMB,
-                  needed / (1 << 20) + 1, remedies(job, session, limit, least))};
+  return Error{ErrorCode::kLimit,
+               fmt::format("{} x {} cells need about {} MiB of memory, the limit is {} MiB{}",
+                           k * session.grid.width, k * session.grid.height, mebibytes(needed),
+                           limit / kMebibyte, remedies(job, session, needed, limit, least))};
 }
 
 }  // namespace pentimento

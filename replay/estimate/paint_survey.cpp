@@ -23,7 +23,8 @@ Result<PaintSurvey> survey_paint(LogSession& session, const DetailCost& cost,
   SurveyPainter painter(session, cost);
   Hand hand(painter, hand_input(session));
   const std::optional<std::int64_t> stop = last_stop(session);
-  Timeline timeline(*session.reader, {session.plan.undo, session.brushes, session.plan.stepped, 1});
+  Timeline timeline(*session.reader, {session.plan.undo, session.brushes, session.plan.stepped, 1,
+                                      control.cancelled});
   for (;;) {
     Result<std::optional<Cue>> cue = timeline.next();
     if (!cue) return cue.error();

@@ -127,7 +127,9 @@ Result<std::unique_ptr<HashReader>> HashReader::open(const std::string& path) {
   if (!bytes) return bytes.error();
   auto impl = std::make_unique<Impl>();
   impl->name = path;
-  impl->lines = std::make_unique<log::LineSource>(std::move(*bytes), kMostLineBytes);
+  log::ReaderOptions options;
+  options.limits.max_line_bytes = kMostLineBytes;
+  impl->lines = std::make_unique<log::LineSource>(std::move(*bytes), options);
   Result<std::optional<json>> first = impl->object();
   if (!first) return first.error();
   try {

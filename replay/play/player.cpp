@@ -49,6 +49,7 @@ Result<void> Player::apply_cues(std::optional<std::int64_t> before_step) {
       ahead_ = std::move(**cue);
     }
     if (before_step && ahead_->step >= *before_step) return {};
+    if (Result<void> go = in_.control.go_on(); !go) return go;
     if (Result<void> advanced = advance(ahead_->step); !advanced) return advanced;
     line_ = std::max(line_, ahead_->line);
     if (Result<void> applied = in_.hand.apply(*ahead_); !applied) return applied;

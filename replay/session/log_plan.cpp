@@ -18,6 +18,10 @@ std::string named_file(const log::Action& action) {
   return {};
 }
 
+Error at_line(const LogFiles& files, std::int64_t line, const Error& error) {
+  return {error.code, fmt::format("{}:{}: {}", files.log_name(), line, error.message)};
+}
+
 Result<void> note_event(const log::Event& event, LogFiles& files, LogPlan& plan) {
   ++plan.events;
   plan.last_time_us = event.time_us;
@@ -37,14 +41,13 @@ Result<void> note_event(const log::Event& event, LogFiles& files, LogPlan& plan)
                                  ? files.use_camera(file)
                                  : files.use_picture(file);
   if (path) return {};
-  return Error{path.error().code,
-               fmt::format("{}:{}: {}", files.log_name(), event.line, path.error().message)};
+  return at_line(files, event.line, path.error());
 }
 }  // namespace
 
 Result<LogPlan> plan_log(log::Reader& reader, LogFiles& files,
                          const std::vector<StopPoint>& stops_wanted, const PaintMaker& maker,
-                         const Control& control) {
+                         const Control& control, StampBudget* budget) {
   Result<Palette> palette = Palette::make(reader.header().palette, maker);
   if (!palette) return palette.error();
   LogPlan plan;
@@ -56,6 +59,10 @@ Result<LogPlan> plan_log(log::Reader& reader, LogFiles& files,
     if (!event) return event.error();
     if (!event->has_value()) break;
     if (Result<void> noted = note_event(**event, files, plan); !noted) return noted.error();
+    if (budget != nullptr) {
+      if (const Result<void> within = budget->add(**event); !within)
+        return at_line(files, (*event)->line, within.error());
+    }
     finder.add(**event);
   }
   const double steps_per_second = reader.header().steps_per_second;

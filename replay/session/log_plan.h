@@ -14,6 +14,7 @@
 #include "replay/job/stop_points.h"
 #include "replay/log/log_files.h"
 #include "replay/log/palette.h"
+#include "replay/timeline/stamp_budget.h"
 #include "replay/timeline/undo.h"
 
 namespace pentimento {
@@ -32,10 +33,11 @@ struct LogPlan {
   std::string salvaged;  // what salvage dropped; empty if nothing
 };
 
-/// Reads the log from its first event to its end and rewinds it. `maker` makes its paints. Errors:
-/// the reader's; those of the files; kUsage for a stop that is not in the log; kInterrupted.
+/// Reads the log from its first event to its end and rewinds it. `maker` makes its paints; `budget`
+/// counts its stamps, unless it is null. Errors: the reader's; those of the files; kUsage for a
+/// stop that is not in the log; kLimit; kInterrupted.
 Result<LogPlan> plan_log(log::Reader& reader, LogFiles& files,
                          const std::vector<StopPoint>& stops_wanted, const PaintMaker& maker = {},
-                         const Control& control = {});
+                         const Control& control = {}, StampBudget* budget = nullptr);
 
 }  // namespace pentimento

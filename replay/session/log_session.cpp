@@ -176,7 +176,9 @@ void tell_oddities(const LogSession& session, const Control& control) {
 Result<LogSession> open_session(const RenderJob& job, const Control& control) {
   LogSession session;
   if (Result<void> scratch = check_scratch(job.scratch); !scratch) return scratch.error();
-  Result<std::unique_ptr<log::Reader>> reader = log::Reader::open(job.log, job.reading);
+  log::ReaderOptions reading = job.reading;
+  reading.cancelled = control.cancelled;
+  Result<std::unique_ptr<log::Reader>> reader = log::Reader::open(job.log, reading);
   if (!reader) return reader.error();
   session.reader = std::move(*reader);
   session.files = LogFiles(job.log, job.reading.allow_outside);
@@ -192,8 +194,9 @@ Result<LogSession> open_session(const RenderJob& job, const Control& control) {
   session.brushes = std::move(*brushes);
   control.report({"read", 0, 0});
   session.maker = PaintMaker(session.model);
+  StampBudget budget(header, session.brushes, job.reading.limits);
   Result<LogPlan> plan =
-      plan_log(*session.reader, session.files, job.stops, session.maker, control);
+      plan_log(*session.reader, session.files, job.stops, session.maker, control, &budget);
   if (!plan) return plan.error();
   session.plan = std::move(*plan);
   session.palette = session.plan.palette;

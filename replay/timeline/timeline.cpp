@@ -53,6 +53,8 @@ Result<std::optional<Cue>> Timeline::next() {
 }
 
 Result<void> Timeline::Impl::read_one() {
+  if (input.cancelled != nullptr && input.cancelled->load(std::memory_order_relaxed))
+    return Error{ErrorCode::kInterrupted, "interrupted; nothing was written"};
   Result<std::optional<log::Event>> event = reader.next();
   if (!event) return event.error();
   if (event->has_value()) {

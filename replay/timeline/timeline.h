@@ -9,6 +9,7 @@
 // stays down, the timeline no longer waits for that touch: the stamps of the touch then come late,
 // when they are known.
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -29,6 +30,7 @@ struct TimelineInput {
   const BrushTable& brushes;
   bool stepped = false;  // the log has `step` events and is stepped by them alone
   std::uint32_t first_stroke_id = 1;
+  const std::atomic<bool>* cancelled = nullptr;  // ends the reading ahead; may be null
 };
 
 class Timeline {
@@ -39,7 +41,7 @@ class Timeline {
   Timeline(log::Reader& reader, const TimelineInput& input);
   ~Timeline();
 
-  /// The next cue, or nothing at the end. Errors: the reader's.
+  /// The next cue, or nothing at the end. Errors: the reader's; kInterrupted.
   Result<std::optional<Cue>> next();
 
  private:

@@ -18,8 +18,10 @@ namespace {
 Error bad(std::string message) {
   return {ErrorCode::kBadInput, std::move(message)};
 }
-Error over_limit(std::string message) {
-  return {ErrorCode::kLimit, std::move(message)};
+/// `more than 5 events, the limit (--max-events)`
+Error over_limit(const Limits& limits, std::int64_t Limits::*limit, std::string_view what) {
+  return {ErrorCode::kLimit,
+          fmt::format("more than {} {}{}", limits.*limit, what, limit_note(limit))};
 }
 
 /// `brush "rund" is unknown (did you mean "round"?)`
@@ -40,7 +42,7 @@ LogRules::LogRules(const Header& header, const ReaderOptions& options)
 
 Result<void> LogRules::check(const Event& event) {
   if (++events_ > options_.limits.max_events) {
-    return over_limit(fmt::format("more than {} events, the limit", options_.limits.max_events));
+    return over_limit(options_.limits, &Limits::max_events, "events");
   }
   const Result<void> time = check_time(event);
   if (!time) return time;
@@ -56,8 +58,9 @@ Result<void> LogRules::check_time(const Event& event) {
   last_us_ = event.time_us;
   const double steps = time_s * steps_per_second_;
   if (steps > static_cast<double>(options_.limits.max_steps)) {
-    return over_limit(fmt::format("t {} is step {:.0f}, over {} steps, the limit", time_s, steps,
-                                  options_.limits.max_steps));
+    return Error{ErrorCode::kLimit,
+                 fmt::format("t {} is step {:.0f}, over {} steps{}", time_s, steps,
+                             options_.limits.max_steps, limit_note(&Limits::max_steps))};
   }
   return {};
 }
@@ -69,10 +72,8 @@ Result<void> LogRules::check_action(const Touch& touch) {
     if (found != down_.end()) {
       return bad(fmt::format("phase \"down\" of id {}, which is down already", touch.id));
     }
-    if (static_cast<int>(down_.size()) >= options_.limits.max_touches) {
-      return over_limit(
-          fmt::format("more than {} touches at once, the limit", options_.limits.max_touches));
-    }
+    if (static_cast<std::int64_t>(down_.size()) >= options_.limits.max_touches)
+      return over_limit(options_.limits, &Limits::max_touches, "touches at once");
     down_.push_back(touch.id);
     return {};
   }
@@ -101,9 +102,8 @@ Result<void> LogRules::check_action(const Color& color) {
     return unknown_name("pigment", color.pigment, pigments_);
   }
   colors_.insert(*color.value);
-  if (static_cast<int>(colors_.size()) <= options_.limits.max_colors) return {};
-  return over_limit(
-      fmt::format("more than {} different colours, the limit", options_.limits.max_colors));
+  if (static_cast<std::int64_t>(colors_.size()) <= options_.limits.max_colors) return {};
+  return over_limit(options_.limits, &Limits::max_colors, "different colours");
 }
 
 Result<void> LogRules::check_action(const BrushChange& brush) {
@@ -132,7 +132,15 @@ Result<void> LogRules::check_action(const Camera& camera) {
 
 Result<void> LogRules::check_action(const Step&) {
   if (++steps_ <= options_.limits.max_steps) return {};
-  return over_limit(fmt::format("more than {} steps, the limit", options_.limits.max_steps));
+  return over_limit(options_.limits, &Limits::max_steps, "steps");
+}
+
+std::string header_over_limit(const Header& header, const Limits& limits) {
+  if (static_cast<std::int64_t>(header.palette.size()) > limits.max_pigments)
+    return over_limit(limits, &Limits::max_pigments, "pigments").message;
+  if (static_cast<std::int64_t>(header.brushes.size()) > limits.max_brushes)
+    return over_limit(limits, &Limits::max_brushes, "brushes").message;
+  return {};
 }
 
 std::string header_file_problem(const Header& header, bool allow_outside) {

@@ -45,6 +45,9 @@ class LogRules {
   std::set<Rgb> colors_;
 };
 
+/// Which limit the header is over; empty if none.
+std::string header_over_limit(const Header& header, const Limits& limits);
+
 /// What is wrong with the names of files in a header; empty if nothing.
 std::string header_file_problem(const Header& header, bool allow_outside);
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <unordered_set>
+
 #include "core/optics/paints/pigment_library.h"
 #include "formats/log/json/nearest_name.h"
 #include "formats/log/parse/brush_parser.h"
@@ -105,14 +107,13 @@ PigmentSpec parse_pigment(Fields& fields) {
 template <typename T>
 std::vector<T> parse_named(Fields& header, std::string_view array, T (*parse)(Fields&)) {
   std::vector<T> list;
+  std::unordered_set<std::string> names;
   for (const JsonNode* node : objects(header, array)) {
     if (!header.ok()) break;
     const std::string prefix = fmt::format("{}[{}].", array, list.size());
     Fields fields(header.line(), *node, prefix);
     T item = parse(fields);
-    for (const T& other : list) {
-      if (other.name == item.name) fields.reject("name", "is there twice");
-    }
+    if (!names.insert(item.name).second) fields.reject("name", "is there twice");
     header.fail_unless_empty(fields.finish());
     list.push_back(std::move(item));
   }

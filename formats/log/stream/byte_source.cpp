@@ -24,8 +24,9 @@ constexpr std::string_view kZstdMagic = "\x28\xb5\x2f\xfd";
 
 }  // namespace
 
-Result<std::unique_ptr<ByteSource>> ByteSource::open(const std::string& path) {
-  Result<std::unique_ptr<RawFile>> file = RawFile::open(path);
+Result<std::unique_ptr<ByteSource>> ByteSource::open(const std::string& path,
+                                                     const ReaderOptions& options) {
+  Result<std::unique_ptr<RawFile>> file = RawFile::open(path, options);
   if (!file) return file.error();
   std::array<char, 4> start{};
   const Result<std::size_t> count = (*file)->read(start);

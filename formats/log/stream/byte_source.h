@@ -8,14 +8,17 @@
 #include <string>
 
 #include "core/base/result.h"
+#include "formats/log/parse/reader_options.h"
 
 namespace pentimento::log {
 
 class ByteSource {
  public:
   /// "-" is standard input; what cannot be rewound (pipes) is copied to an unlinked temporary file
-  /// in $TMPDIR or /tmp. Errors: kIo.
-  static Result<std::unique_ptr<ByteSource>> open(const std::string& path);
+  /// in $TMPDIR or /tmp while it is read first. Of the options, `cancelled` and the limit of bytes
+  /// count. Errors: kIo, kInterrupted; kLimit, without the file's name.
+  static Result<std::unique_ptr<ByteSource>> open(const std::string& path,
+                                                  const ReaderOptions& options = {});
   virtual ~ByteSource() = default;
 
   /// Fills `bytes` from its start; fewer than asked for only near the end, 0 at the end.

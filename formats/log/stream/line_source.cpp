@@ -13,14 +13,22 @@ namespace {
 constexpr std::size_t kBlock = 1 << 18;  // bytes read at once: large enough to hide the calls
 }
 
-LineSource::LineSource(std::unique_ptr<ByteSource> source, std::int64_t max_line_bytes)
+LineSource::LineSource(std::unique_ptr<ByteSource> source, const ReaderOptions& options)
     : source_(std::move(source)),
-      max_line_bytes_(static_cast<std::size_t>(max_line_bytes)),
+      limits_(options.limits),
+      cancelled_(options.cancelled),
       buffer_(kBlock + JsonLine::kPadding) {}
+
+Error LineSource::over_limit(const char* what, std::int64_t Limits::*limit) const {
+  return {ErrorCode::kLimit,
+          fmt::format("more than {} {}{}", limits_.*limit, what, limit_note(limit))};
+}
 
 /// Reads one more block behind what is there; false at the end.
 Result<bool> LineSource::fill() {
   if (at_end_) return false;
+  if (cancelled_ != nullptr && cancelled_->load(std::memory_order_relaxed))
+    return Error{ErrorCode::kInterrupted, "interrupted; nothing was written"};
   if (begin_ > 0) {
     std::memmove(buffer_.data(), buffer_.data() + begin_, end_ - begin_);
     end_ -= begin_;
@@ -32,6 +40,8 @@ Result<bool> LineSource::fill() {
   if (!count) return count.error();
   if (sha256_.empty()) hash_.update(buffer_.data() + end_, *count);
   end_ += *count;
+  bytes_ += static_cast<std::int64_t>(*count);
+  if (bytes_ > limits_.max_bytes) return over_limit("bytes", &Limits::max_bytes);
   at_end_ = *count == 0;
   if (at_end_ && sha256_.empty()) sha256_ = hash_.hex();
   return !at_end_;
@@ -45,10 +55,11 @@ Result<std::optional<Line>> LineSource::next_line() {
     const void* feed = std::memchr(first + searched, '\n', count - searched);
     const std::size_t length =
         feed != nullptr ? static_cast<std::size_t>(static_cast<const char*>(feed) - first) : count;
-    if (length > max_line_bytes_) {
+    if (length > static_cast<std::size_t>(limits_.max_line_bytes)) {
       ++line_number_;
       return Error{ErrorCode::kLimit,
-                   fmt::format("the line is longer than {} bytes, the limit", max_line_bytes_)};
+                   fmt::format("the line is longer than {} bytes{}", limits_.max_line_bytes,
+                               limit_note(&Limits::max_line_bytes))};
     }
     if (feed != nullptr) {
       begin_ += length + 1;
@@ -73,6 +84,7 @@ Result<std::optional<Line>> LineSource::next() {
     Result<std::optional<Line>> line = next_line();
     if (!line || !*line) return line;
     if ((*line)->text.find_first_not_of(" \t\r") != std::string_view::npos) return line;
+    if (++blank_lines_ > limits_.max_events) return over_limit("blank lines", &Limits::max_events);
   }
 }
 
@@ -80,6 +92,7 @@ Result<void> LineSource::rewind() {
   begin_ = end_ = 0;
   line_number_ = 0;
   at_end_ = false;
+  bytes_ = blank_lines_ = 0;
   if (sha256_.empty()) hash_ = Sha256();
   return source_->rewind();
 }

@@ -1,6 +1,7 @@
 #pragma once
 // The lines of a log, one at a time, from a buffer that grows only with the longest line.
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -22,10 +23,12 @@ struct Line {
 
 class LineSource {
  public:
-  LineSource(std::unique_ptr<ByteSource> source, std::int64_t max_line_bytes);
+  /// Of the options, the limits of bytes, lines and blank lines count, and `cancelled`.
+  LineSource(std::unique_ptr<ByteSource> source, const ReaderOptions& options);
 
   /// The next line that is not blank, or nothing at the end; it holds until the next call.
-  /// Errors, without the file's name: kLimit for a line too long; those of ByteSource.
+  /// Errors, without the file's name: kLimit for a line too long, too many bytes, too many blank
+  /// lines; kInterrupted; those of ByteSource.
   Result<std::optional<Line>> next();
   Result<void> rewind();
 
@@ -37,11 +40,14 @@ class LineSource {
   const std::string& sha256() const { return sha256_; }
 
  private:
+  Error over_limit(const char* what, std::int64_t Limits::*limit) const;
   Result<bool> fill();
   Result<std::optional<Line>> next_line();
 
   std::unique_ptr<ByteSource> source_;
-  std::size_t max_line_bytes_;
+  const Limits limits_;
+  const std::atomic<bool>* const cancelled_;
+  std::int64_t bytes_ = 0, blank_lines_ = 0;  // so far
   std::vector<char> buffer_;
   std::size_t begin_ = 0, end_ = 0;  // of what is read and not yet given out
   std::int64_t line_number_ = 0;

@@ -184,6 +184,26 @@ TEST(StrokePath, LeavesAndComesBackWhereItShould) {
   for (const Stamp& s : stamps) EXPECT_LE(s.x_m, 1.031);
 }
 
+/// On a canvas that holds all of the way, and on one that holds its last part alone.
+TEST(StrokePath, AWayThatIsFarFromTheCanvasMovesTheBrushOnAsANearOneDoes) {
+  std::vector<Stamp> stamps[2];
+  for (const int small : {0, 1}) {
+    StrokePath path(kSpacing, small ? 0.5 : 20, small ? 0.5 : 20);
+    path.begin(sample_at(0.2, 15, 0));
+    for (int i = 1; i < 60; ++i)
+      path.add(sample_at(0.2 + 0.07 * (i % 3), 15 - 0.25 * i, 0.1 * i), stamps[small]);
+    path.finish(stamps[small]);
+  }
+  ASSERT_GT(stamps[1].size(), 100u);
+  ASSERT_GT(stamps[0].size(), 10 * stamps[1].size());
+  for (std::size_t i = 1; i < 100; ++i) {
+    const Stamp& a = stamps[0][stamps[0].size() - i];
+    const Stamp& b = stamps[1][stamps[1].size() - i];
+    EXPECT_NEAR(a.x_m, b.x_m, 1e-12) << i;
+    EXPECT_NEAR(a.y_m, b.y_m, 1e-12) << i;
+  }
+}
+
 TEST(StrokePath, TheHeadingDoesNotTurnRoundWhenPulledBack) {
   std::vector<TouchSample> samples;
   for (int i = 0; i <= 20; ++i) samples.push_back(sample_at(0.2 + 0.005 * i, 0.3, 0.01 * i));

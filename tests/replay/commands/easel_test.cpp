@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cfenv>
 #include <cmath>
 #include <filesystem>
 #include <string>
@@ -102,6 +103,25 @@ TEST(Easel, SameStrokesAsALog_EndInTheSameState) {
   EXPECT_EQ(easel->simulation().state().step, 91);  // 2 s of 45 steps, and that one
   EXPECT_EQ(hash_of(*easel), report->state_sha256);
   std::filesystem::remove_all(folder);
+}
+
+std::string hash_painted_by_a_caller_who_rounds(int direction) {
+  std::fenv_t before;
+  std::fegetenv(&before);
+  std::fesetround(direction);
+  const std::unique_ptr<Easel> easel = easel_of(small_canvas());
+  easel->take_brush("flat", sliders(0.05f));
+  easel->stroke({{0.05, 0.1, 0.75f}, {0.2, 0.13, 0.75f}, {0.35, 0.1, 0.75f}});
+  easel->wait(0.4);
+  EXPECT_EQ(std::fegetround(), direction);  // it has its own back
+  std::fesetenv(&before);
+  return hash_of(*easel);
+}
+
+TEST(Easel, TheCallersRoundingChangesNothing) {
+  const std::string hash = hash_painted_by_a_caller_who_rounds(FE_TONEAREST);
+  EXPECT_EQ(hash_painted_by_a_caller_who_rounds(FE_UPWARD), hash);
+  EXPECT_EQ(hash_painted_by_a_caller_who_rounds(FE_TOWARDZERO), hash);
 }
 
 TEST(Easel, AStrokeTakesTheTimeOfTheHand) {

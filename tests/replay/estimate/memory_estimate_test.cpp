@@ -189,11 +189,21 @@ TEST(MemoryEstimate, OnlyWhatHelpsIsOffered) {
   };
   const std::string all = offered([](RenderJob&) {});
   EXPECT_NE(all.find("3200 x 2400 cells"), std::string::npos) << all;
-  EXPECT_NE(all.find("the limit is 500 MB"), std::string::npos) << all;
+  EXPECT_NE(all.find("the limit is 476 MiB"), std::string::npos) << all;
   EXPECT_NE(all.find(", --scratch DIR"), std::string::npos) << all;
   EXPECT_NE(all.find(", --detail 4"), std::string::npos) << all;
   const std::string tight = offered([](RenderJob& j) { j.max_memory = 200 * kMB; });
   EXPECT_EQ(tight.find("--scratch"), std::string::npos) << tight;
+}
+
+TEST(MemoryEstimate, MoreThanTheMachineHasIsNeverOffered) {
+  Estimated e;
+  e.job.detail = 8;
+  e.survey.detail_bytes = 1e17;  // no machine has as much
+  const auto refused = check_memory(e.job, e.session(), e.survey);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().message.find("--memory-limit"), std::string::npos)
+      << refused.error().message;
 }
 
 }  // namespace

@@ -1,0 +1,153 @@
+#include "core/base/worker_pool.h"
+
+#include <sched.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <utility>
+
+#include "core/base/float_environment.h"
+
+namespace pentimento {
+
+namespace {
+// A worker's stack does not follow `ulimit -s`, which may be too small for any work.
+constexpr std::size_t kStackBytes = std::size_t{4} << 20;
+// Ranges for each thread: enough that one that is held up does not hold up the loop.
+constexpr std::int64_t kPiecesPerThread = 8;
+// How often a worker offers its core before it sleeps: loops follow one another within
+// microseconds, and to be woken takes some ten of them.
+constexpr int kYields = 100;
+
+// The state: how many workers are inside of the loop, whether it is open, and which loop it is.
+constexpr std::uint32_t kInside = 0xfff;
+constexpr std::uint32_t kOpen = 0x1000;
+constexpr std::uint32_t kLoop = 0x2000;
+constexpr int kMostWorkers = 0xfff;
+
+std::uint32_t loop_of(std::uint32_t state) {
+  return state & ~(kInside | kOpen);
+}
+}  // namespace
+
+WorkerPool::WorkerPool(int wanted) : process_(::getpid()) {
+  const int count = std::clamp(wanted, 0, kMostWorkers);
+  threads_.reserve(static_cast<std::size_t>(count));
+  pthread_attr_t attributes;
+  if (pthread_attr_init(&attributes) != 0) return;
+  pthread_attr_setstacksize(&attributes, kStackBytes);
+  // Signals are for the thread that waits for something.
+  sigset_t all, before;
+  sigfillset(&all);
+  pthread_sigmask(SIG_SETMASK, &all, &before);
+  for (int i = 0; i < count; ++i) {
+    pthread_t thread{};
+    if (pthread_create(&thread, &attributes, work_for, this) != 0) break;
+    threads_.push_back(thread);
+  }
+  pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  pthread_attr_destroy(&attributes);
+}
+
+WorkerPool::~WorkerPool() {
+  if (::getpid() != process_) return;  // the threads are those of the parent
+  ending_.store(true);
+  open_loop();
+  for (const pthread_t thread : threads_) pthread_join(thread, nullptr);
+}
+
+void* WorkerPool::work_for(void* pool) {
+  set_plain_arithmetic();
+  static_cast<WorkerPool*>(pool)->work();
+  return nullptr;
+}
+
+void WorkerPool::work() {
+  std::uint32_t seen = 0;
+  int yields = 0;
+  for (;;) {
+    if (ending_.load(std::memory_order_acquire)) return;
+    if (enter(seen)) {
+      take_ranges();
+      leave();
+      yields = 0;
+    } else if (yields < kYields) {
+      ++yields;
+      sched_yield();
+    } else {
+      const std::uint32_t state = state_.load(std::memory_order_acquire);
+      const bool is_new = (state & kOpen) != 0 && loop_of(state) != seen;
+      if (!is_new && !ending_.load(std::memory_order_acquire)) state_.wait(state);
+    }
+  }
+}
+
+/// Joins the loop if it is open and not the one that this worker has already done.
+bool WorkerPool::enter(std::uint32_t& seen) {
+  std::uint32_t state = state_.load(std::memory_order_acquire);
+  while ((state & kOpen) != 0 && loop_of(state) != seen) {
+    if (!state_.compare_exchange_weak(state, state + 1, std::memory_order_acq_rel)) continue;
+    seen = loop_of(state);
+    return true;
+  }
+  return false;
+}
+
+void WorkerPool::leave() {
+  const std::uint32_t after = state_.fetch_sub(1, std::memory_order_acq_rel) - 1;
+  if ((after & (kInside | kOpen)) != 0) return;
+  left_.fetch_add(1, std::memory_order_release);
+  left_.notify_one();
+}
+
+void WorkerPool::take_ranges() noexcept {
+  try {
+    for (;;) {
+      const std::int64_t from = next_.fetch_add(loop_.piece, std::memory_order_relaxed);
+      if (from >= loop_.end) return;
+      (*loop_.body)(static_cast<int>(from),
+                    static_cast<int>(std::min(loop_.end, from + loop_.piece)));
+    }
+  } catch (...) {
+    next_.store(loop_.end, std::memory_order_relaxed);
+    if (!thrown_.exchange(true)) problem_ = std::current_exception();
+  }
+}
+
+void WorkerPool::open_loop() {
+  // The number of the loop goes on, and wraps; a worker never sleeps through so many.
+  const std::uint32_t state = state_.load(std::memory_order_relaxed);
+  state_.store((loop_of(state) + kLoop) | kOpen, std::memory_order_release);
+  state_.notify_all();
+}
+
+/// From here on nobody enters; waits for those who are inside.
+void WorkerPool::close_loop() {
+  state_.fetch_and(~kOpen, std::memory_order_acq_rel);
+  for (int yields = 0;;) {
+    const std::uint32_t left = left_.load(std::memory_order_acquire);
+    if ((state_.load(std::memory_order_acquire) & kInside) == 0) return;
+    if (yields++ < kYields) {
+      sched_yield();
+    } else {
+      left_.wait(left);
+    }
+  }
+}
+
+void WorkerPool::share(int begin, int end, int grain_size,
+                       const std::function<void(int, int)>& body) {
+  if (threads_.empty() || ::getpid() != process_ || busy_.exchange(true)) return body(begin, end);
+  const std::int64_t length = std::int64_t{end} - begin;
+  const std::int64_t pieces = kPiecesPerThread * (workers() + 1);
+  loop_ = {&body, end, std::max<std::int64_t>(grain_size, (length + pieces - 1) / pieces)};
+  next_.store(begin, std::memory_order_relaxed);
+  open_loop();
+  take_ranges();
+  close_loop();
+  busy_.store(false);
+  if (thrown_.exchange(false)) std::rethrow_exception(std::exchange(problem_, nullptr));
+}
+
+}  // namespace pentimento

@@ -1,0 +1,95 @@
+#include "core/base/worker_pool.h"
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cfenv>
+#include <mutex>
+#include <stdexcept>
+#include <vector>
+
+namespace pentimento {
+namespace {
+
+TEST(WorkerPool, CoversEveryIndexOnce) {
+  WorkerPool pool(3);
+  for (int round = 0; round < 2000; ++round) {
+    const int begin = round % 7, end = begin + 1 + round % 300;
+    std::vector<std::atomic<int>> done(static_cast<std::size_t>(end));
+    pool.share(begin, end, 1 + round % 5, [&](int from, int to) {
+      for (int i = from; i < to; ++i) ++done[static_cast<std::size_t>(i)];
+    });
+    for (int i = 0; i < end; ++i)
+      ASSERT_EQ(done[static_cast<std::size_t>(i)].load(), i < begin ? 0 : 1) << round;
+  }
+}
+
+TEST(WorkerPool, RangesAreNoSmallerThanTheGrain) {
+  WorkerPool pool(3);
+  std::mutex mutex;
+  std::vector<int> lengths;
+  pool.share(0, 100, 30, [&](int from, int to) {
+    const std::scoped_lock lock(mutex);
+    lengths.push_back(to - from);
+  });
+  std::sort(lengths.begin(), lengths.end());
+  EXPECT_EQ(lengths, (std::vector<int>{10, 30, 30, 30}));
+}
+
+TEST(WorkerPool, WhatIsThrownReachesTheCaller_AndTheNextLoopRuns) {
+  WorkerPool pool(3);
+  for (int round = 0; round < 200; ++round) {
+    EXPECT_THROW(pool.share(0, 64, 1,
+                            [](int from, int) {
+                              if (from % 9 == 5) throw std::runtime_error("no");
+                            }),
+                 std::runtime_error);
+    std::atomic<int> sum{0};
+    pool.share(0, 64, 1, [&](int from, int to) { sum += to - from; });
+    ASSERT_EQ(sum.load(), 64);
+  }
+}
+
+TEST(WorkerPool, ALoopInsideOfALoopIsDoneByItsCaller) {
+  WorkerPool pool(2);
+  std::atomic<int> sum{0};
+  pool.share(0, 16, 1, [&](int from, int to) {
+    for (int i = from; i < to; ++i)
+      pool.share(0, 10, 1, [&](int begin, int end) { sum += end - begin; });
+  });
+  EXPECT_EQ(sum.load(), 160);
+}
+
+TEST(WorkerPool, AForkedProcessWorksAlone) {
+  WorkerPool pool(2);
+  const pid_t child = fork();
+  if (child == 0) {
+    int sum = 0;
+    pool.share(0, 100, 1, [&](int from, int to) { sum += to - from; });
+    _exit(sum == 100 ? 7 : 1);
+  }
+  int status = 0;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  EXPECT_EQ(WEXITSTATUS(status), 7);
+}
+
+TEST(WorkerPool, WorkersRoundToNearestWhateverTheirMakerDoes) {
+  std::fenv_t before;
+  std::fegetenv(&before);
+  std::fesetround(FE_UPWARD);
+  WorkerPool pool(3);
+  std::fesetenv(&before);
+  std::atomic<int> others{0};
+  for (int round = 0; round < 200; ++round) {
+    pool.share(0, 64, 1, [&](int, int) {
+      if (std::fegetround() != FE_TONEAREST) ++others;
+    });
+  }
+  EXPECT_EQ(others.load(), 0);
+}
+
+}  // namespace
+}  // namespace pentimento

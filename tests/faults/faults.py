@@ -1,0 +1,148 @@
+#!/usr/bin/env python3
+"""What the command does when the machine fails it.
+
+A library (tests/faults/fault_shim.cpp) makes the k-th call of a kind fail, once or from then on, for
+k = 1, 2, ... until a run completes without a fault; or kills the process before the k-th call that
+changes a file. After every run
+
+- the process ended by itself, with exit code 0, 4 or 5 (a kill: by that);
+- it said why in one line;
+- each output holds its old bytes or the complete new ones, and the new ones if the code is 0;
+- no temporary file is left (a kill leaves some; the next run completes beside them).
+
+usage: faults.py COMMAND SHIM [--kinds write,sync,rename,thread,memory,kill] [--long] [--table]
+
+Without --long every kind tries a few k, the first and the last among them. --table prints a line for
+each kind, as docs/reliability.md has it.
+"""
+
+import argparse
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+HEADER = ('{"type":"header","format":"pentimento-log","version":1,"canvas":{"width":0.3,"height":0.2},'
+          '"grid":{"width":48,"height":32}}\n')
+STROKE = ('{"t":0,"type":"touch","phase":"down","x":0.05,"y":0.05}\n'
+          '{"t":0.2,"type":"touch","phase":"up","x":0.25,"y":0.15}\n')
+JOBS = {
+    "render": (["render", "a.jsonl", "-o", "a.png", "-o", "a.exr", "-o", "a.h5", "--quiet", "--threads", "3"],
+               ["a.png", "a.exr", "a.h5"]),
+    "convert": (["convert", "a.jsonl", "-o", "b.jsonl.gz", "--quiet"], ["b.jsonl.gz"]),
+}
+KINDS = ("write", "sync", "rename", "thread", "memory", "kill")
+ENDS = {0, 4, 5}
+OLD = b"old"
+SLOWEST_S = 120  # a run that takes longer hangs
+
+
+class Place:
+    """A folder in which a job runs."""
+
+    def __init__(self, command, shim, job):
+        self.folder = tempfile.TemporaryDirectory()
+        self.path = pathlib.Path(self.folder.name)
+        self.command, self.shim = command, shim
+        self.words, self.outputs = JOBS[job]
+        (self.path / "a.jsonl").write_text(HEADER + STROKE)
+
+    def run(self, fault=None):
+        """(exit code, standard error, number of calls)"""
+        environment = dict(os.environ, LC_ALL="C")
+        count = self.path / "count"
+        if fault:
+            environment.update(LD_PRELOAD=self.shim, PENTIMENTO_FAULT=fault, PENTIMENTO_FAULT_COUNT=str(count))
+        for name in self.outputs:
+            (self.path / name).write_bytes(OLD)
+        try:
+            done = subprocess.run([self.command, *self.words], cwd=self.path, env=environment, capture_output=True,
+                                  timeout=SLOWEST_S)
+            code, words = done.returncode, done.stderr.decode(errors="replace")
+        except subprocess.TimeoutExpired:
+            code, words = "hang", ""
+        calls = int(count.read_text()) if count.exists() else 0
+        count.unlink(missing_ok=True)
+        return code, words, calls
+
+    def contents(self):
+        return {name: (self.path / name).read_bytes() for name in self.outputs}
+
+    def temporaries(self):
+        return [path for path in self.path.iterdir() if path.name.endswith(".part")]
+
+
+def problems(place, reference, code, words, killed):
+    found = []
+    if killed and code == -9:
+        pass
+    elif code not in ENDS:
+        found.append(f"ended with {code}: {words.strip()[-200:]}")
+    elif code != 0 and words.count("\n") != 1:
+        found.append(f"said {words!r}")
+    for name, content in place.contents().items():
+        if content != reference[name] and (content != OLD or code == 0):
+            found.append(f"{name} is neither old nor complete" if code != 0 else f"{name} is not the plain run's")
+    left = place.temporaries()
+    if left and not killed:
+        found.append(f"left {[path.name for path in left]}")
+    for path in left:
+        path.unlink()
+    return found
+
+
+def chosen(calls, long, kind):
+    """The k to try of so many calls."""
+    if long and kind != "memory":
+        return range(1, calls + 1)
+    if long:  # there are a hundred thousand: the first, and then ever larger steps
+        return sorted({*range(1, 101), *(int(100 * 1.03 ** i) for i in range(400)), calls} & {*range(1, calls + 1)})
+    few = 3 if kind != "memory" else 6
+    return sorted({1, calls, *(max(1, calls * i // few) for i in range(1, few))})
+
+
+def try_kind(place, reference, kind, mode, long):
+    """(runs, codes, what was wrong)"""
+    call = "publish" if kind == "kill" else kind
+    _, _, calls = place.run(f"{call}:0:{mode}")
+    codes, wrong, runs = {}, [], 0
+    for k in chosen(calls, long, kind) if calls else ():
+        code, words, _ = place.run(f"{call}:{k}:{mode}")
+        runs += 1
+        codes[code] = codes.get(code, 0) + 1
+        wrong += [f"{kind} {k} {mode}: {text}" for text in problems(place, reference, code, words, kind == "kill")]
+    return calls, runs, codes, wrong
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("command")
+    parser.add_argument("shim")
+    parser.add_argument("--kinds", default=",".join(KINDS))
+    parser.add_argument("--long", action="store_true")
+    parser.add_argument("--table", action="store_true")
+    options = parser.parse_args()
+    wrong = []
+    for job in JOBS:
+        place = Place(os.path.abspath(options.command), os.path.abspath(options.shim), job)
+        code, words, _ = place.run()
+        reference = place.contents()
+        if code != 0 or OLD in reference.values():
+            sys.exit(f"{job}: the plain run ended with {code}: {words}")
+        for kind in options.kinds.split(","):
+            for mode in ("kill",) if kind == "kill" else ("once", "on"):
+                calls, runs, codes, found = try_kind(place, reference, kind, mode, options.long)
+                wrong += [f"{job}: {text}" for text in found]
+                if options.table:
+                    ends = ", ".join(f"{n} x {code}" for code, n in sorted(codes.items(), key=str))
+                    print(f"| {job} | {kind} | {mode} | {calls} | {runs} | {ends} | {len(found)} |", flush=True)
+        code, words, _ = place.run()
+        if code != 0 or place.contents() != reference:
+            wrong.append(f"{job}: the run after all faults ended with {code}: {words}")
+    print("\n".join(wrong))
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
