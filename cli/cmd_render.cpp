@@ -6,6 +6,7 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
+#include "cli/checkpoint_options.h"
 #include "cli/command.h"
 #include "cli/film_options.h"
 #include "cli/picture_options.h"
@@ -33,6 +34,7 @@ struct RenderOptions {
   RenderJob job;
   PictureOptions picture;
   FilmOptions film;
+  CheckpointOptions checkpoint;
   TalkOptions talk;
   std::vector<std::string> at, set;
   std::string scheme, gravity, memory_limit, refine;
@@ -92,6 +94,7 @@ void add_limit_options(CLI::App& app, RenderOptions& o) {
       ->type_name("N");
   app.add_option("--hashes", o.job.hashes, "write hashes of the state after each step, for verify")
       ->type_name("FILE");
+  o.checkpoint.add_to(app);
   app.add_flag("--dry-run", o.dry_run, "tell size, steps, memory, disk and time; do nothing");
 }
 
@@ -120,6 +123,9 @@ Result<void> complete(RenderOptions& o) {
     if (!bytes) return bytes.error();
     job.max_memory = *bytes;
   }
+  Result<CheckpointChoice> checkpoint = o.checkpoint.choice();
+  if (!checkpoint) return checkpoint.error();
+  job.checkpoint = std::move(*checkpoint);
   Result<PictureChoice> picture = o.picture.picture();
   if (!picture) return picture.error();
   job.picture = std::move(*picture);
