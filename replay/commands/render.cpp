@@ -215,9 +215,10 @@ Result<void> Replay::pass_stops() {
   for (std::size_t i = first; i < order.size(); ++i) {
     watch_.start("simulate");
     if (Result<void> played = play_to_stop(order[i]); !played) return played;
-    if (checkpoint_) checkpoint_->before_outputs(i + 1 == order.size());
+    const bool last = i + 1 == order.size();
+    if (checkpoint_) checkpoint_->before_outputs(last);
     if (Result<void> written = write(files_[order[i]]); !written) return written;
-    if (checkpoint_) checkpoint_->stop_done();
+    if (checkpoint_ && !last) checkpoint_->stop_done();  // of the last one the report needs all
   }
   return {};
 }
