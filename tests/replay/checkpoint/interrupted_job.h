@@ -33,8 +33,7 @@ Survived survive(const RenderJob& job, int steps, const Between& between) {
     };
     control.warn = [&](const std::string& text) { survived.warnings.push_back(text); };
     survived.report = render(job, control);
-    if (survived.report || survived.report.error().code != ErrorCode::kInterrupted)
-      return survived;
+    if (survived.report || survived.report.error().code != ErrorCode::kInterrupted) return survived;
     between(++survived.interruptions);
   }
   return survived;

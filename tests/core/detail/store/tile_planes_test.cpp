@@ -44,12 +44,12 @@ TEST(TilePlanes, AnotherCanvasGoesOnFromThemBitForBit) {
   const Values values = all_values(one.follower());
   const SimulationMemory memory = one.sim().memory();
   other.sim().set_color(1);  // the hand does the same again
-  ASSERT_TRUE(other.follower().recall(
-      one.follower().checkpoint(), one.follower().lock_statistics(),
-      [&](TilePlaneId id, std::span<float> out) {
-        std::copy(values.at(id).begin(), values.at(id).end(), out.begin());
-        return Result<void>();
-      }));
+  ASSERT_TRUE(other.follower().recall(one.follower().checkpoint(), one.follower().lock_statistics(),
+                                      [&](TilePlaneId id, std::span<float> out) {
+                                        std::copy(values.at(id).begin(), values.at(id).end(),
+                                                  out.begin());
+                                        return Result<void>();
+                                      }));
   ASSERT_TRUE(other.sim().recall(clone_state(one.sim().state()), memory));
   one.stroke(2, 0.02, 0.1, 0.18, 0.11);
   other.stroke(2, 0.02, 0.1, 0.18, 0.11);
