@@ -67,7 +67,7 @@ void put_canvas(const CanvasState& state, ArchiveWriter& to) {
   to.list(std::span<const float>(state.sleep));
 }
 
-CanvasState take_canvas(const CanvasShape& shape, ArchiveReader& from) {
+CanvasState take_canvas(const GuideShape& shape, ArchiveReader& from) {
   CanvasState state;
   const bool same = from.i32() == shape.geometry.width && from.i32() == shape.geometry.height &&
                     from.i32() == shape.layers && from.i32() == shape.channels &&

@@ -13,13 +13,13 @@ namespace pentimento::checkpoint {
 void put_canvas(const CanvasState& state, ArchiveWriter& to);
 
 /// What the canvas must be: grid, layers, channels, bands.
-struct CanvasShape {
+struct GuideShape {
   CanvasGeometry geometry;
   int layers = 0, channels = 0, bands = 0;
 };
 
 /// `paper_m` stays empty. If the bytes are of another canvas, or hold what no canvas holds, the
 /// reader has the problem.
-CanvasState take_canvas(const CanvasShape& shape, ArchiveReader& from);
+CanvasState take_canvas(const GuideShape& shape, ArchiveReader& from);
 
 }  // namespace pentimento::checkpoint

@@ -31,7 +31,7 @@ struct Slot {
 
 /// What a slot must fit.
 struct SlotShape {
-  checkpoint::CanvasShape guide;
+  checkpoint::GuideShape guide;
   int detail = 1;
 };
 

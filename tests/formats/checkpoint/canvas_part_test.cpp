@@ -9,7 +9,7 @@
 namespace pentimento::checkpoint {
 namespace {
 
-const CanvasShape kShape = {{5, 4, 0.5, 0.4}, 2, 3, 3};
+const GuideShape kShape = {{5, 4, 0.5, 0.4}, 2, 3, 3};
 
 CanvasState some_state() {
   CanvasState state = make_canvas_state(kShape.geometry, kShape.layers, kShape.channels, 3, 0.9f);
@@ -46,7 +46,7 @@ TEST(CanvasPart, BringsBackEveryBit) {
 }
 
 TEST(CanvasPart, AnEmptyPlaneTakesAlmostNothing) {
-  const CanvasShape wide = {{1000, 10, 1, 1}, 1, 1, 1};
+  const GuideShape wide = {{1000, 10, 1, 1}, 1, 1, 1};
   ArchiveWriter to;
   put_canvas(make_canvas_state(wide.geometry, 1, 1, 1, 0), to);
   EXPECT_LT(to.bytes().size(), 1000u);  // two numbers of 4 bytes a row, in 7 planes
@@ -54,9 +54,9 @@ TEST(CanvasPart, AnEmptyPlaneTakesAlmostNothing) {
 
 TEST(CanvasPart, RefusesAnotherCanvas) {
   const std::string bytes = bytes_of(some_state());
-  for (const CanvasShape& other :
-       {CanvasShape{{4, 5, 0.5, 0.4}, 2, 3, 3}, CanvasShape{{5, 4, 0.5, 0.4}, 1, 3, 3},
-        CanvasShape{{5, 4, 0.5, 0.4}, 2, 4, 3}}) {
+  for (const GuideShape& other :
+       {GuideShape{{4, 5, 0.5, 0.4}, 2, 3, 3}, GuideShape{{5, 4, 0.5, 0.4}, 1, 3, 3},
+        GuideShape{{5, 4, 0.5, 0.4}, 2, 4, 3}}) {
     ArchiveReader from(bytes);
     take_canvas(other, from);
     EXPECT_EQ(from.problem(), "it is of another canvas");

@@ -1,6 +1,9 @@
 #include "formats/checkpoint/synced_file.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <csignal>
 
 #include "tests/formats/scratch.h"
 
@@ -39,10 +42,21 @@ TEST(SyncedFile, ANewFileDoesNotFollowALink) {
 }
 
 TEST(SyncedFile, TheFirstFailureStays) {
-  const auto full = SyncedFile::go_on("/dev/full", 0);
-  if (!full) GTEST_SKIP() << "a device cannot be cut";
-  (*full)->write("x");
-  EXPECT_FALSE((*full)->sync());
+  const Scratch scratch;
+  const auto file = SyncedFile::create(scratch.path("a"));
+  ASSERT_TRUE(file);
+  rlimit before{};
+  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit small{4, before.rlim_max};
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
+  (*file)->write("more than four");
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &before), 0);
+  std::signal(SIGXFSZ, handler);
+  (*file)->write("x");
+  const Result<void> synced = (*file)->sync();
+  ASSERT_FALSE(synced);
+  EXPECT_EQ(synced.error().code, ErrorCode::kIo);
 }
 
 TEST(SyncedFile, ReadsOnlyWhatIsThere) {
