@@ -6,6 +6,7 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
+#include "cli/checkpoint_options.h"
 #include "cli/command.h"
 #include "cli/film_options.h"
 #include "cli/limit_options.h"
@@ -35,6 +36,7 @@ struct RenderOptions {
   RenderJob job;
   PictureOptions picture;
   FilmOptions film;
+  CheckpointOptions checkpoint;
   TalkOptions talk;
   LimitOptions limits;
   std::vector<std::string> at, set;
@@ -86,6 +88,7 @@ void add_limit_options(CLI::App& app, RenderOptions& o) {
   o.limits.add_to(app, o.job.reading.limits);
   app.add_option("--hashes", o.job.hashes, "write hashes of the state after each step, for verify")
       ->type_name("FILE");
+  o.checkpoint.add_to(app);
   app.add_flag("--dry-run", o.dry_run, "tell size, steps, memory, disk and time; do nothing");
 }
 
@@ -128,6 +131,9 @@ Result<void> complete(RenderOptions& o) {
     if (!bytes) return bytes.error();
     job.max_memory = *bytes;
   }
+  Result<CheckpointChoice> checkpoint = o.checkpoint.choice();
+  if (!checkpoint) return checkpoint.error();
+  job.checkpoint = std::move(*checkpoint);
   Result<PictureChoice> picture = o.picture.picture();
   if (!picture) return picture.error();
   job.picture = std::move(*picture);

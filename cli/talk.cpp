@@ -11,8 +11,9 @@
 namespace pentimento::cli {
 
 namespace {
-constexpr std::array<std::string_view, 7> kLeftOut = {
-    "-o", "--output", "--progress", "--threads", "--memory-limit", "--scratch", "--hashes"};
+constexpr std::array<std::string_view, 9> kLeftOut = {
+    "-o",        "--output", "--progress",   "--threads",         "--memory-limit",
+    "--scratch", "--hashes", "--checkpoint", "--checkpoint-every"};
 constexpr std::array<std::string_view, 4> kLeftOutFlags = {"--json", "--quiet", "--no-clobber",
                                                            "--dry-run"};
 

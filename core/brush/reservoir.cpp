@@ -72,6 +72,15 @@ void Reservoir::empty() {
   as_loaded_ = false;
 }
 
+void Reservoir::restore(Content content) {
+  PENTIMENTO_CHECK(content.texels.size() == data_.size());
+  as_loaded_ = content.as_loaded;
+  density_frac = content.density_frac;
+  dry_ahead_frac = content.dry_ahead_frac;
+  data_ = std::move(content.texels);
+  surplus_ = 0;  // measured anew by the next refill
+}
+
 void Reservoir::fill_rows(const PaintLoad& load, int begin, int end) {
   PENTIMENTO_CHECK(static_cast<int>(load.paint.size()) == stride_);
   for (int r = begin; r < end; ++r) {

@@ -61,6 +61,16 @@ class Reservoir {
   /// mixture of its paint stays.
   void drop_surplus(const PaintLoad& load, const Tip& tip, float frac);
 
+  /// All that a reservoir keeps from one stamp to the next.
+  struct Content {
+    bool as_loaded = false;
+    float density_frac = 1, dry_ahead_frac = 1;
+    std::vector<float> texels;  // stride() floats each
+  };
+  Content content() const { return {as_loaded_, density_frac, dry_ahead_frac, data_}; }
+  /// Holds what another reservoir of as many channels held.
+  void restore(Content content);
+
   float density_frac = 1;    // R24: fluid left, 1 when full
   float dry_ahead_frac = 1;  // share of dry canvas where the stroke ran onto last
 

@@ -40,7 +40,8 @@ DetailFollower::DetailFollower(DetailFollowerSetup setup, const DetailSubstrate&
       changed_(canvas_.layout()),
       released_(canvas_.layout()),
       moving_(canvas_.layout()),
-      locked_(static_cast<std::size_t>(canvas_.layout().tiles()), -1) {}
+      locked_(static_cast<std::size_t>(canvas_.layout().tiles()), -1),
+      touched_(static_cast<std::size_t>(canvas_.layout().tiles()), 1) {}
 
 void DetailFollower::before_deposit(const StampPlan& plan, const CanvasState& guide) {
   // The detail canvas does the stamp later (stamp/queued_stamp.h).
@@ -90,6 +91,7 @@ void DetailFollower::stepped(const CanvasState& guide, const StepInput& in) {
     for (const int t : changed_.tiles()) {
       canvas_.ensure_planes(t, guide, changed_.box(t));
       canvas_.mark_used(t);
+      touched_[static_cast<std::size_t>(t)] = 1;
       std::int64_t& locked = locked_[static_cast<std::size_t>(t)];
       if (locked < 0) idle_.push_back(t);
       locked = steps_;
@@ -124,6 +126,7 @@ void DetailFollower::free_idle_planes(const CanvasState& guide) {
     std::int64_t& locked = locked_[static_cast<std::size_t>(t)];
     if (steps_ - locked < kRest) return false;
     canvas_.prune(t, guide);
+    touched_[static_cast<std::size_t>(t)] = 1;
     locked = -1;
     return true;
   };
@@ -133,11 +136,13 @@ void DetailFollower::free_idle_planes(const CanvasState& guide) {
 void DetailFollower::drying(const CanvasState&, const ChannelBasis& basis, const Model& model) {
   stamp_.finish();
   dry_detail(canvas_, basis, model, threads_);
+  touch_all();
 }
 
 void DetailFollower::cleared() {
   stamp_.forget();
   canvas_.clear();
+  touch_all();
   for (const int t : idle_) locked_[static_cast<std::size_t>(t)] = -1;
   idle_.clear();
   changed_.clear();
@@ -173,6 +178,27 @@ void DetailFollower::resume(const CanvasSource& fine, const DetailCheckpoint& ch
                             const CanvasState& guide) {
   cleared();
   resume_detail(canvas_, fine, checkpoint, guide);
+  restore_notes(checkpoint);
+}
+
+Result<void> DetailFollower::recall(const DetailCheckpoint& checkpoint,
+                                    const LockStatistics& statistics, const PlaneReader& read) {
+  cleared();
+  if (Result<void> restored = restore_tiles(canvas_, checkpoint, read); !restored) return restored;
+  restore_notes(checkpoint);
+  lock_.recall(statistics);
+  return {};
+}
+
+std::vector<int> DetailFollower::touched() const {
+  std::vector<int> tiles;
+  for (int t = 0; t < canvas_.layout().tiles(); ++t)
+    if (touched_[static_cast<std::size_t>(t)] != 0 || changed_.has(t)) tiles.push_back(t);
+  return tiles;
+}
+
+/// How long tiles have rested, which blocks changed, and where the brush was.
+void DetailFollower::restore_notes(const DetailCheckpoint& checkpoint) {
   steps_ = kRest;
   for (int t = 0; t < canvas_.layout().tiles(); ++t) {
     const std::int64_t rest = checkpoint.tile[rest_value(t)];

@@ -3,6 +3,7 @@
 // same flow, and the lock after each step. The guide does not depend on it, so a log gives one
 // sequence of states, whatever the output's size.
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -14,6 +15,7 @@
 #include "core/detail/store/detail_canvas.h"
 #include "core/detail/store/detail_checkpoint.h"
 #include "core/detail/store/released_blocks.h"
+#include "core/detail/store/tile_planes.h"
 #include "core/simulation/canvas_listener.h"
 
 namespace pentimento {
@@ -53,12 +55,24 @@ class DetailFollower : public CanvasListener {
   /// All that a dump needs beside the planes of canvas(). Call finish_stamps() first.
   DetailCheckpoint checkpoint() const;
 
+  /// Goes on with the notes that checkpoint() and lock_statistics() gave, and with planes that
+  /// equal those of that canvas. The detail canvas must be clear. Errors: those of `read`;
+  /// canvas().problem().
+  Result<void> recall(const DetailCheckpoint& checkpoint, const LockStatistics& statistics,
+                      const PlaneReader& read);
+  /// The tiles whose planes may have other values, or may not exist any more, since the last call
+  /// of forget_touched(), ascending. At first all tiles. Call finish_stamps() first.
+  std::vector<int> touched() const;
+  void forget_touched() { std::fill(touched_.begin(), touched_.end(), std::uint8_t{0}); }
+
   /// Does the queued stamps, so that canvas() has every stamp.
   void finish_stamps() { stamp_.finish(); }
   const DetailCanvas& canvas() const { return canvas_; }
   const LockStatistics& lock_statistics() const { return lock_.statistics(); }
 
  private:
+  void restore_notes(const DetailCheckpoint& checkpoint);
+  void touch_all() { std::fill(touched_.begin(), touched_.end(), std::uint8_t{1}); }
   void settle_released_paint(const CanvasState& guide, const Model& model);
   void add_rounded(const StepInput& in);
   void free_idle_planes(const CanvasState& guide);
@@ -78,6 +92,7 @@ class DetailFollower : public CanvasListener {
   std::int64_t steps_ = 0;
   std::vector<std::int64_t> locked_;
   std::vector<int> idle_;
+  std::vector<std::uint8_t> touched_;  // per tile, but for what is in `changed_`
 };
 
 }  // namespace pentimento

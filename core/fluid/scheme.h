@@ -4,6 +4,7 @@
 // Brush, layers, drying and optics are shared and do not depend on the scheme.
 
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,12 @@ class FluidScheme {
   virtual bool step(CanvasState& state, const StepInput& in) = 0;
   /// Named measurements since the start, for reports ("max_speed_m_s", "awake_share", ...).
   virtual std::vector<std::pair<std::string, double>> statistics() const { return {}; }
+  /// What the scheme keeps from step to step beside the state: sums behind statistics(), and what
+  /// it fixed at its first step.
+  virtual std::vector<double> memory() const = 0;
+  /// A new scheme goes on with the memory of another on the same canvas. False if `memory` is not
+  /// that of such a scheme; then nothing changed.
+  [[nodiscard]] virtual bool recall(std::span<const double> memory) = 0;
 };
 
 }  // namespace pentimento

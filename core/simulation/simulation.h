@@ -19,6 +19,7 @@
 #include "core/optics/channels.h"
 #include "core/simulation/canvas_listener.h"
 #include "core/simulation/painter.h"
+#include "core/simulation/simulation_memory.h"
 
 namespace pentimento {
 
@@ -64,6 +65,14 @@ class Simulation : public Painter {
   /// Goes on from a dumped state (same geometry, layers and channels). What is wet in it opens the
   /// paint account as deposited.
   void restore(CanvasState state);
+
+  /// All that must be saved between two steps beside state(), if the hand's settings (brush,
+  /// sliders, colours, gravity, model) are brought back by doing the same again.
+  SimulationMemory memory() const;
+  /// Goes on as the simulation would that had this state and memory between two steps. This one has
+  /// the same setup, and its hand did the same. The paper stays this one's; the listener is not
+  /// told. False if the memory does not fit; then the simulation must not be used any more.
+  [[nodiscard]] bool recall(CanvasState state, const SimulationMemory& memory);
 
   /// One simulation step. Returns false if it changed nothing and nothing waits: the caller may
   /// then skip steps with skip() until the next event, with the same result.

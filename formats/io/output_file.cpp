@@ -196,7 +196,7 @@ Result<Published> OutputFile::complete(const Check& check) {
   if (failed()) return io_error(error_number_);
   if (is_stream()) {
     complete_sha256_ = written_.hex();
-    return Published{path_, complete_sha256_};
+    return whole();
   }
   // A failed fsync is final: the kernel may have dropped the pages, a second call would succeed.
   if (::fsync(descriptor_) != 0) return io_error(errno);
@@ -211,7 +211,7 @@ Result<Published> OutputFile::complete(const Check& check) {
   complete_sha256_ = *hash;
   // Many files may wait for their names at once; open ones are limited.
   ::close(std::exchange(descriptor_, -1));
-  return Published{path_, complete_sha256_};
+  return whole();
 }
 
 Result<Published> OutputFile::publish(const Check& check) {

@@ -50,6 +50,8 @@ class OutputFile {
   /// seek() the bytes read back must have the SHA-256 of the bytes written. Errors: kIo, that of
   /// `check`. Call once.
   Result<Published> complete(const Check& check = {});
+  /// What complete() returned; the hash is empty before.
+  Published whole() const { return {path_, complete_sha256_, temporary_}; }
   /// Gives the file its name, after complete() if that was not called. Call once.
   Result<Published> publish(const Check& check = {});
 

@@ -16,6 +16,7 @@ using Provenance = std::vector<std::pair<std::string, std::string>>;  // key, va
 struct Published {
   std::string file;
   std::string sha256;
+  std::string temporary = {};  // where the bytes are until publish(); empty for streams
 };
 
 /// complete() makes the file whole under its temporary name (fsync, read back), and publish() gives

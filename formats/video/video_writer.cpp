@@ -68,10 +68,10 @@ class EncodedFile {
   std::string path_;
 };
 
-class VideoFile final : public PictureFile {
+class EncodedVideo final : public VideoFile {
  public:
-  VideoFile(std::string path, const VideoOptions& options, const Encoder& encoder,
-            std::unique_ptr<OutputFile> file)
+  EncodedVideo(std::string path, const VideoOptions& options, const Encoder& encoder,
+               std::unique_ptr<OutputFile> file)
       : path_(std::move(path)),
         options_(options),
         encoder_(encoder),
@@ -80,7 +80,7 @@ class VideoFile final : public PictureFile {
         rows_({ColorProfile::kSrgb, options.dither, 0, 0}, 8),
         threads_(options.threads),
         frame_(row_bytes() * static_cast<std::size_t>(options.height)) {}
-  ~VideoFile() override { close(); }
+  ~EncodedVideo() override { close(); }
 
   Result<void> open() {
     const bool avi = extension_of(path_) == ".avi";
@@ -108,7 +108,14 @@ class VideoFile final : public PictureFile {
     filled_ = strip.y0 + strip.rows;
     if (filled_ < options_.height) return {};
     filled_ = 0;
-    if (encoder_.write.call(handle_, frame_.data()) == 0) return {};
+    if (Result<void> added = add_frame(frame_); !added) return added;
+    if (options_.frame_done) options_.frame_done(frame_);
+    return {};
+  }
+
+  Result<void> add_frame(std::span<const std::uint8_t> rgb) override {
+    PENTIMENTO_CHECK(rgb.size() == frame_.size());
+    if (encoder_.write.call(handle_, rgb.data()) == 0) return {};
     return Error{ErrorCode::kIo, path_ + ": a frame cannot be encoded"};
   }
 
@@ -158,8 +165,8 @@ bool is_video_name(const std::string& path) {
   return extension == ".avi" || extension == ".mp4" || extension == ".mkv";
 }
 
-Result<std::unique_ptr<PictureFile>> create_video(const std::string& path,
-                                                  const VideoOptions& options) {
+Result<std::unique_ptr<VideoFile>> create_video(const std::string& path,
+                                                const VideoOptions& options) {
   PENTIMENTO_CHECK(is_video_name(path) && options.width > 0 && options.height > 0);
   if (options.width % 2 != 0 || options.height % 2 != 0) {
     return Error{ErrorCode::kUsage,
@@ -170,9 +177,9 @@ Result<std::unique_ptr<PictureFile>> create_video(const std::string& path,
   if (!encoder) return encoder.error();
   Result<std::unique_ptr<OutputFile>> file = OutputFile::create(path, options.no_clobber);
   if (!file) return file.error();
-  auto video = std::make_unique<VideoFile>(path, options, *encoder, std::move(*file));
+  auto video = std::make_unique<EncodedVideo>(path, options, *encoder, std::move(*file));
   if (const Result<void> opened = video->open(); !opened) return opened.error();
-  return std::unique_ptr<PictureFile>(std::move(video));
+  return std::unique_ptr<VideoFile>(std::move(video));
 }
 
 }  // namespace pentimento

@@ -9,6 +9,7 @@
 
 #include "core/base/float_environment.h"
 #include "core/base/thread_count.h"
+#include "replay/checkpoint/checkpointer.h"
 #include "replay/estimate/disk_check.h"
 #include "replay/estimate/memory_estimate.h"
 #include "replay/film/film_plan.h"
@@ -49,7 +50,7 @@ class Replay {
         watch_(watch),
         threads_(job.threads),
         settings_{job.picture, session.size, threads_.count(), control,
-                  files_read_by(job, session.files)},
+                  files_read_by(job, session.files), job.checkpoint.folder},
         outputs_(settings_, watch),
         lighting_(first_lighting(session), session.reader->header().steps_per_second) {}
 
@@ -59,7 +60,9 @@ class Replay {
   Result<void> begin();
   Result<void> claim_outputs();
   Result<void> begin_hashes();
+  Result<void> begin_checkpoint();
   Result<void> play();
+  Result<void> pass_stops();
   Result<void> play_to_stop(std::size_t stop);
   Result<void> write(const std::vector<PlannedOutput>& files);
   void hash(const CanvasView& view);
@@ -88,6 +91,7 @@ class Replay {
   std::unique_ptr<Hand> hand_;
   std::unique_ptr<HashWriter> hash_file_;  // empty without --hashes
   std::unique_ptr<HashRecorder> hashes_;
+  std::unique_ptr<Checkpointer> checkpoint_;  // empty without --checkpoint
   std::unique_ptr<Player> player_;
   JobReport report_;
 };
@@ -102,7 +106,6 @@ Result<JobReport> Replay::run() {
   if (Result<void> begun = begin(); !begun) return begun.error();
   // ... the log is replayed from stop to stop, ...
   if (Result<void> played = play(); !played) return played.error();
-  if (Result<void> go = control_.go_on(); !go) return go.error();
   // ... and only then do the finished files get their names.
   watch_.start("publish");
   if (hash_file_) {
@@ -116,6 +119,7 @@ Result<JobReport> Replay::run() {
     if (!published) return published.error();
     report_.outputs.push_back({job_.hashes, 0, 0, published->sha256, {}});
   }
+  if (checkpoint_) report_.checkpoint = checkpoint_->finish();
   conclude();
   return std::move(report_);
 }
@@ -142,6 +146,11 @@ Result<void> Replay::begin() {
     control_.warning(fmt::format("the machine gives {} of {} threads; the result is the same",
                                  threads_.count(), wanted));
   }
+  if (!job_.checkpoint.folder.empty()) {
+    Result<std::unique_ptr<Checkpointer>> opened = Checkpointer::open(job_.checkpoint, control_);
+    if (!opened) return opened.error();
+    checkpoint_ = std::move(*opened);
+  }
   // The light that the options ask for.
   Result<LightOverride> light = LightOverride::make(job_.light);
   if (!light) return light.error();
@@ -162,6 +171,7 @@ Result<void> Replay::begin() {
     ReplayDetailSetup setup{session_.detail, job_.scratch, 0, {}};
     if (!job_.scratch.empty()) setup.resident_bytes = resident_budget(job_, session_);
     setup.start = std::exchange(session_.detail_start, {});
+    if (checkpoint_ && checkpoint_->has_slots()) setup.start.reset();
     Result<std::unique_ptr<ReplayDetail>> fine = ReplayDetail::follow(
         *simulation_, setup, session_.reader->header().paper, session_.files, threads_);
     if (!fine) return fine.error();
@@ -176,8 +186,17 @@ Result<void> Replay::begin() {
   if (Result<void> begun = begin_hashes(); !begun) return begun;
   player_ = std::make_unique<Player>(PlayerInput{*timeline_, *simulation_, *hand_, lighting_,
                                                  session_.files, control_, session_.steps,
-                                                 hashes_.get()});
-  return {};
+                                                 hashes_.get(), checkpoint_.get()});
+  return begin_checkpoint();
+}
+
+/// Goes on from a slot, if there is one.
+Result<void> Replay::begin_checkpoint() {
+  if (!checkpoint_) return {};
+  watch_.start("resume");
+  Result<Binding> binding = binding_of(job_, session_);
+  if (!binding) return binding.error();
+  return checkpoint_->begin({*simulation_, fine_.get(), *player_, outputs_}, std::move(*binding));
 }
 
 Result<void> Replay::claim_outputs() {
@@ -208,8 +227,16 @@ Result<void> Replay::begin_hashes() {
   return {};
 }
 
-/// Visits the stops in the order of time, whatever order the options gave.
+/// Plays all. What is interrupted is saved, if the job is to be saved.
 Result<void> Replay::play() {
+  Result<void> passed = pass_stops();
+  if (passed) passed = control_.go_on();
+  if (passed || !checkpoint_ || passed.error().code != ErrorCode::kInterrupted) return passed;
+  return checkpoint_->interrupted();
+}
+
+/// Visits the stops in the order of time, whatever order the options gave.
+Result<void> Replay::pass_stops() {
   std::vector<std::size_t> order(files_.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   const std::vector<std::int64_t>& stops = session_.plan.stops;
@@ -217,10 +244,14 @@ Result<void> Replay::play() {
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return stops[a] < stops[b]; });
   }
-  for (const std::size_t stop : order) {
+  const std::size_t first = checkpoint_ ? checkpoint_->stops_done() : 0;
+  for (std::size_t i = first; i < order.size(); ++i) {
     watch_.start("simulate");
-    if (Result<void> played = play_to_stop(stop); !played) return played;
-    if (Result<void> written = write(files_[stop]); !written) return written;
+    if (Result<void> played = play_to_stop(order[i]); !played) return played;
+    const bool last = i + 1 == order.size();
+    if (checkpoint_) checkpoint_->before_outputs(last);
+    if (Result<void> written = write(files_[order[i]]); !written) return written;
+    if (checkpoint_ && !last) checkpoint_->stop_done();  // of the last one the report needs all
   }
   return {};
 }
@@ -342,6 +373,10 @@ Result<JobReport> render(const RenderJob& job, const Control& control) {
   // Reads the log once to check it, and opens what it names.
   Result<LogSession> session = open_session(job, control);
   if (!session) return session.error();
+  if (!job.checkpoint.folder.empty() && !job.hashes.empty()) {
+    return Error{ErrorCode::kUsage,
+                 "--checkpoint does not go with --hashes: a file of hashes begins with its log"};
+  }
   // Refuses what would not fit in memory before anything is computed.
   Result<PaintSurvey> survey = PaintSurvey{};
   if (session->detail > 1)

@@ -53,6 +53,13 @@ enum class Refine {
   kDirect   // the simulation runs at the picture's size: another painting
 };
 
+/// Where and how often the work of a job is saved, so that it can go on after an interruption.
+struct CheckpointChoice {
+  std::string folder;  // empty: never
+  double every_s = 600;
+  std::optional<std::int64_t> every_steps;  // in place of `every_s`
+};
+
 struct RenderJob {
   std::string log;   // "-" = standard input
   std::string from;  // a state dump to start from; empty: an empty canvas
@@ -71,6 +78,7 @@ struct RenderJob {
   std::optional<std::int64_t> max_memory;  // bytes; none: what the machine has
   std::string hashes;                      // a file for the hashes of each step; empty: none
   std::string scratch;                     // a folder for what does not fit in memory; empty: none
+  CheckpointChoice checkpoint;
   log::ReaderOptions reading;
   std::string command;  // the command line without its -o, for provenance
 };

@@ -73,6 +73,18 @@ std::string outputs_json(const std::vector<WrittenFile>& outputs) {
   }
   return json_array(files);
 }
+
+std::string checkpoint_json(const CheckpointReport& checkpoint) {
+  ReportObject json;
+  json.add("folder", checkpoint.folder);
+  if (checkpoint.resumed_step) {
+    json.add("resumed_step", *checkpoint.resumed_step).add("older_slot", checkpoint.older_slot);
+  }
+  return json.add("slots_written", checkpoint.slots_written)
+      .add("bytes_written", checkpoint.bytes_written)
+      .add("wall_s", checkpoint.wall_s)
+      .text();
+}
 }  // namespace
 
 double PaintLine::relative_difference() const {
@@ -121,6 +133,7 @@ std::string report_json(const JobReport& report) {
   }
   if (!report.frame_steps.empty())
     json.add_json("frame_steps", fmt::format("[{}]", fmt::join(report.frame_steps, ",")));
+  if (report.checkpoint) json.add_json("checkpoint", checkpoint_json(*report.checkpoint));
   return json.add_json("phases", json_array(phases)).text();
 }
 

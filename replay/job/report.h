@@ -40,6 +40,16 @@ struct PaintLine {
   double relative_difference() const;
 };
 
+/// What checkpoints did in a job.
+struct CheckpointReport {
+  std::string folder;
+  std::optional<std::int64_t> resumed_step;  // where the replay went on; none: it began
+  bool older_slot = false;                   // the newest slot was damaged
+  std::int64_t slots_written = 0;
+  std::int64_t bytes_written = 0;
+  double wall_s = 0;  // spent on writing
+};
+
 struct JobReport {
   std::vector<WrittenFile> outputs;
   std::int64_t steps = 0;
@@ -60,6 +70,7 @@ struct JobReport {
   std::vector<std::pair<std::string, double>> fluid;
   std::vector<Phase> phases;
   std::vector<std::int64_t> frame_steps;  // steps done at each frame of a film
+  std::optional<CheckpointReport> checkpoint;
 };
 
 /// The accounts of the medium, then of each channel.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <deque>
+#include <memory>
 #include <utility>
 
 #include "core/shading/guided_picture.h"
@@ -14,6 +15,7 @@
 #include "formats/video/video_writer.h"
 #include "replay/output/aov_pictures.h"
 #include "replay/output/debug_picture.h"
+#include "replay/output/film_frames.h"
 #include "replay/output/tone_sink.h"
 
 namespace pentimento {
@@ -25,6 +27,10 @@ struct OutputSet::Pending {
   bool for_display = false;
   std::vector<std::string> planes;  // of the strips; empty: all
   bool goes_on = false;             // a film: complete only when all frames are in it
+  std::string temporary = {};       // where a complete picture is
+  bool kept = false;
+  std::unique_ptr<FilmFrames> frames = {};  // of a film that is kept
+  std::size_t frames_done = 0;              // those of stops that are done
 
   Result<void> publish() {
     if (picture) return picture->publish();
@@ -108,17 +114,94 @@ Result<std::size_t> OutputSet::open_video(const std::string& path) {
   for (std::size_t i = 0; i < pending_.size(); ++i) {
     if (pending_[i].file.file == path) return i;
   }
+  Result<Pending> video = make_video(path, pending_.size(), {});
+  if (!video) return video.error();
+  pending_.push_back(std::move(*video));
+  return pending_.size() - 1;
+}
+
+/// A video that will be number `index` of the pending files, and begins with frames that were kept.
+Result<OutputSet::Pending> OutputSet::make_video(const std::string& path, std::size_t index,
+                                                 const std::vector<std::uint64_t>& kept) {
   const PictureChoice& choice = settings_.picture;
   const Result<OutputSize> size = written_size(choice, settings_.size);
   if (!size) return size.error();
   VideoOptions options = {size->width,       size->height,  choice.frames_per_second,
                           choice.no_clobber, choice.dither, settings_.threads};
-  Result<std::unique_ptr<PictureFile>> video = create_video(path, options);
+  // The frames file is there only after the video: until then nothing is encoded.
+  auto frames = std::make_shared<FilmFrames*>(nullptr);
+  if (!settings_.keep.empty())
+    options.frame_done = [frames](std::span<const std::uint8_t> rgb) { (*frames)->add(rgb); };
+  Result<std::unique_ptr<VideoFile>> video = create_video(path, options);
   if (!video) return video.error();
-  Pending pending = {{path, size->width, size->height, {}, {}}, std::move(*video), {}, true, {}};
+  Pending pending = {{path, size->width, size->height, {}, {}}, {}, {}, true, {}};
   pending.goes_on = true;
-  pending_.push_back(std::move(pending));
-  return pending_.size() - 1;
+  if (!settings_.keep.empty()) {
+    const std::size_t frame_bytes =
+        3 * static_cast<std::size_t>(size->width) * static_cast<std::size_t>(size->height);
+    Result<std::unique_ptr<FilmFrames>> file = FilmFrames::go_on(
+        kept_frames(settings_.keep, index), frame_bytes, kept,
+        [&](std::span<const std::uint8_t> rgb) { return (*video)->add_frame(rgb); });
+    if (!file) return file.error();
+    pending.frames = std::move(*file);
+    pending.frames_done = kept.size();
+    *frames = pending.frames.get();
+  }
+  pending.picture = std::move(*video);
+  return pending;
+}
+
+void OutputSet::stop_done() {
+  done_ = pending_.size();
+  for (Pending& pending : pending_)
+    if (pending.frames) pending.frames_done = pending.frames->checksums().size();
+}
+
+Result<std::vector<KeptOutput>> OutputSet::keep(const std::string& folder) {
+  std::vector<KeptOutput> outputs;
+  for (std::size_t i = 0; i < done_; ++i) {
+    Pending& pending = pending_[i];
+    KeptOutput output{pending.file, {}};
+    if (pending.frames) {
+      if (Result<void> synced = pending.frames->sync(); !synced) return synced.error();
+      const std::vector<std::uint64_t>& all = pending.frames->checksums();
+      output.frames.emplace(all.begin(),
+                            all.begin() + static_cast<std::ptrdiff_t>(pending.frames_done));
+    } else {
+      const bool dump = pending.state != nullptr;
+      const std::string from = dump ? pending.state->whole().temporary : pending.temporary;
+      if (dump) output.file.sha256 = pending.state->whole().sha256;
+      if (!pending.kept) {
+        Result<void> linked = checkpoint::link_or_copy(from, kept_file(folder, i));
+        if (!linked) return linked.error();
+      }
+      pending.kept = true;
+    }
+    outputs.push_back(std::move(output));
+  }
+  return outputs;
+}
+
+Result<void> OutputSet::recall(const std::vector<KeptOutput>& outputs, const std::string& folder) {
+  pending_.clear();
+  done_ = 0;
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    const WrittenFile& file = outputs[i].file;
+    if (outputs[i].frames) {
+      Result<Pending> video = make_video(file.file, i, *outputs[i].frames);
+      if (!video) return video.error();
+      pending_.push_back(std::move(*video));
+      continue;
+    }
+    Result<std::unique_ptr<OutputFile>> adopted =
+        adopt_kept(kept_file(folder, i), file, settings_.picture.no_clobber);
+    if (!adopted) return adopted.error();
+    Pending pending = {file, {}, std::move(*adopted), false, {}};
+    pending.kept = true;
+    pending_.push_back(std::move(pending));
+  }
+  done_ = pending_.size();
+  return {};
 }
 
 Result<void> OutputSet::create(const PlannedOutput& output, const Scene& scene,
@@ -242,6 +325,7 @@ Result<void> OutputSet::add_pictures(const std::vector<PlannedOutput>& outputs, 
     Result<Published> complete = pending_[i].picture->complete();
     if (!complete) return complete.error();
     pending_[i].file.sha256 = complete->sha256;
+    pending_[i].temporary = complete->temporary;
   }
   return {};
 }

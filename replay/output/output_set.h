@@ -16,6 +16,7 @@
 #include "replay/job/stopwatch.h"
 #include "replay/output/effective.h"
 #include "replay/output/input_guard.h"
+#include "replay/output/kept_outputs.h"
 #include "replay/output/output_plan.h"
 
 namespace pentimento {
@@ -36,6 +37,7 @@ struct OutputSettings {
   int threads = 1;
   const Control& control;
   std::vector<InputFile> inputs = {};  // which no file may replace
+  std::string keep = {};  // the folder where frames of films are kept for keep(); empty: nowhere
 };
 
 class OutputSet {
@@ -50,6 +52,13 @@ class OutputSet {
   /// Writes `dump` into all state files among `outputs`.
   Result<void> add_states(const std::vector<PlannedOutput>& outputs, const StateDump& dump,
                           const Origin& origin);
+  /// The outputs of a stop are complete: keep() keeps them from now on.
+  void stop_done();
+  /// Keeps the outputs of all stops that are done in `folder`. Errors: kIo.
+  Result<std::vector<KeptOutput>> keep(const std::string& folder);
+  /// The outputs are those that keep() returned, with their bytes in `folder`; other ones that
+  /// there are go away. Errors: kIo, kBadInput for bytes that are damaged.
+  Result<void> recall(const std::vector<KeptOutput>& outputs, const std::string& folder);
   /// Gives all files their names.
   Result<std::vector<WrittenFile>> publish();
 
@@ -60,6 +69,8 @@ class OutputSet {
   Result<void> create_aovs(const PlannedOutput& output, const Scene& scene, const Origin& origin);
   Result<void> add_pending(Pending pending);
   Result<std::size_t> open_video(const std::string& path);
+  Result<Pending> make_video(const std::string& path, std::size_t index,
+                             const std::vector<std::uint64_t>& frames);
   /// Shades into the pending files with the indices `shown`.
   Result<void> shade(const Scene& scene, const std::vector<std::size_t>& shown);
   Result<void> paint_debug_view(const Scene& scene, const std::vector<std::size_t>& shown);
@@ -68,6 +79,7 @@ class OutputSet {
   Stopwatch& watch_;
   std::unique_ptr<Shader> shader_;
   std::vector<Pending> pending_;
+  std::size_t done_ = 0;  // of the pending: those of stops that are done
 };
 
 /// Size in pixels of the part that is shown: the crop, or the whole picture. (The file of a debug

@@ -72,18 +72,42 @@ void Hand::slide(const log::Slider& slider) {
   }
 }
 
-Result<void> Hand::load(const log::Load& load) {
+Result<void> Hand::follow(const Cue& cue) {
+  const auto* action = std::get_if<log::Action>(&cue.what);
+  if (action == nullptr || std::holds_alternative<log::Dry>(*action)) return {};
+  if (std::holds_alternative<log::Clear>(*action)) {
+    if (input_.detail_substrate != nullptr) input_.detail_substrate->clear();
+    return {};
+  }
+  const auto* picture = std::get_if<log::Load>(action);
+  if (picture == nullptr) return act(*action);
+  if (input_.detail_substrate == nullptr) return {};
+  Result<std::array<Field<float>, 3>> rgb = read_picture(*picture);
+  if (!rgb) return rgb.error();
+  show_to_detail(*rgb);
+  return {};
+}
+
+Result<std::array<Field<float>, 3>> Hand::read_picture(const log::Load& load) {
   Result<std::string> path = input_.files.use(load.file);
   if (!path) return path.error();
-  Result<std::array<Field<float>, 3>> rgb = read_rgb(*path);
+  return read_rgb(*path);
+}
+
+/// The detail canvas takes a picture at its own size.
+void Hand::show_to_detail(const std::array<Field<float>, 3>& rgb) {
+  if (input_.detail_substrate != nullptr)
+    input_.detail_substrate->load(input_.maker.substrate(rgb));
+}
+
+Result<void> Hand::load(const log::Load& load) {
+  Result<std::array<Field<float>, 3>> rgb = read_picture(load);
   if (!rgb) return rgb.error();
   const CanvasGeometry& grid = painter_.geometry();
   std::array<Field<float>, 3> on_grid;
   for (std::size_t c = 0; c < 3; ++c)
     on_grid[c] = resample_to((*rgb)[c].view(), grid.width, grid.height);
-  // The detail canvas takes the picture at its own size.
-  if (input_.detail_substrate != nullptr)
-    input_.detail_substrate->load(input_.maker.substrate(*rgb));
+  show_to_detail(*rgb);
   painter_.load(input_.maker.substrate(on_grid));
   return {};
 }

@@ -34,12 +34,18 @@ class Hand {
 
   /// Errors: those of a file that a `load` names.
   Result<void> apply(const Cue& cue);
+  /// What the cue does to the hand itself (brush, sliders, colours, gravity, model, the ground of
+  /// the detail canvas) and not to the paint: for a canvas that has it already. Errors: as of
+  /// apply().
+  Result<void> follow(const Cue& cue);
 
  private:
   Result<void> act(const log::Action& action);
   void dip(const log::Color& color);
   void slide(const log::Slider& slider);
   Result<void> load(const log::Load& load);
+  Result<std::array<Field<float>, 3>> read_picture(const log::Load& load);
+  void show_to_detail(const std::array<Field<float>, 3>& rgb);
 
   Painter& painter_;
   const HandInput input_;

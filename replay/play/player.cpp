@@ -42,29 +42,58 @@ Result<void> Player::settle(std::int64_t end_step) {
 
 Result<void> Player::apply_cues(std::optional<std::int64_t> before_step) {
   while (true) {
-    if (!ahead_) {
-      Result<std::optional<Cue>> cue = in_.timeline.next();
-      if (!cue) return cue.error();
-      if (!cue->has_value()) return {};
-      ahead_ = std::move(**cue);
-    }
+    const Result<bool> more = look_ahead();
+    if (!more) return more.error();
+    if (!*more) return {};
     if (before_step && ahead_->step >= *before_step) return {};
     if (Result<void> go = in_.control.go_on(); !go) return go;
     if (Result<void> advanced = advance(ahead_->step); !advanced) return advanced;
     line_ = std::max(line_, ahead_->line);
     if (Result<void> applied = in_.hand.apply(*ahead_); !applied) return applied;
-    if (const auto* action = std::get_if<log::Action>(&ahead_->what)) {
-      whole_canvas_ = whole_canvas_ || changes_whole_canvas(*action);
-      if (Result<void> lit = in_.lighting.follow(*action, ahead_->step, in_.files); !lit)
-        return lit;
-    }
+    if (Result<void> lit = light(*ahead_); !lit) return lit;
     ahead_.reset();
+    ++cues_;
   }
+}
+
+Result<bool> Player::look_ahead() {
+  if (ahead_) return true;
+  Result<std::optional<Cue>> cue = in_.timeline.next();
+  if (!cue) return cue.error();
+  ahead_ = std::move(*cue);
+  return ahead_.has_value();
+}
+
+/// What an action of the log changes beside the paint.
+Result<void> Player::light(const Cue& cue) {
+  const auto* action = std::get_if<log::Action>(&cue.what);
+  if (action == nullptr) return {};
+  whole_canvas_ = whole_canvas_ || changes_whole_canvas(*action);
+  return in_.lighting.follow(*action, cue.step, in_.files);
+}
+
+Result<void> Player::skip_to(const PlayPosition& position) {
+  PENTIMENTO_CHECK(cues_ == 0 && computed_ == 0);
+  while (cues_ < position.cues) {
+    if (Result<void> go = in_.control.go_on(); !go) return go;
+    const Result<bool> more = look_ahead();
+    if (!more) return more.error();
+    if (!*more) return Error{ErrorCode::kBadInput, "the log ends before the position in it"};
+    line_ = std::max(line_, ahead_->line);
+    if (Result<void> followed = in_.hand.follow(*ahead_); !followed) return followed;
+    if (Result<void> lit = light(*ahead_); !lit) return lit;
+    ahead_.reset();
+    ++cues_;
+  }
+  computed_ = position.computed;
+  return {};
 }
 
 Result<void> Player::advance(std::int64_t to_step) {
   while (steps() < to_step) {
-    if (Result<void> go = in_.control.go_on(); !go) return go;
+    if (in_.pause == nullptr) {
+      if (Result<void> go = in_.control.go_on(); !go) return go;
+    }
     ++computed_;
     const bool moved = in_.simulation.step();
     if (in_.observer != nullptr) {
@@ -77,6 +106,9 @@ Result<void> Player::advance(std::int64_t to_step) {
     }
     if (!moved && steps() < to_step) in_.simulation.skip(to_step - steps());
     in_.control.report({"simulate", steps(), in_.total_steps});
+    if (in_.pause != nullptr) {
+      if (Result<void> paused = in_.pause->between_steps(); !paused) return paused;
+    }
   }
   return {};
 }

@@ -12,6 +12,7 @@
 #include "replay/play/hand.h"
 #include "replay/play/lighting_track.h"
 #include "replay/play/step_observer.h"
+#include "replay/play/step_pause.h"
 #include "replay/timeline/timeline.h"
 
 namespace pentimento {
@@ -26,6 +27,14 @@ struct PlayerInput {
   const Control& control;
   std::int64_t total_steps = 0;      // for progress
   StepObserver* observer = nullptr;  // told of every step that was computed; nullptr: nobody
+  StepPause* pause = nullptr;  // ends the replay between steps; nullptr: a signal does at once
+};
+
+/// How far a replay is: with the canvas and what the simulation remembers, all that it takes to go
+/// on.
+struct PlayPosition {
+  std::int64_t cues = 0;      // played
+  std::int64_t computed = 0;  // steps, without those that were skipped
 };
 
 class Player {
@@ -41,6 +50,12 @@ class Player {
   /// Steps up to `end_step` without playing cues.
   Result<void> settle(std::int64_t end_step);
 
+  PlayPosition position() const { return {cues_, computed_}; }
+  /// Runs the timeline up to a position without playing: hand and light follow, the canvas does
+  /// not. Call it first; then the simulation recalls the canvas that belongs to the position.
+  /// Errors: as above, and kBadInput for a position that the log does not have.
+  Result<void> skip_to(const PlayPosition& position);
+
   /// Steps since the player began.
   std::int64_t steps() const;
   /// Steps that were computed, not skipped.
@@ -49,12 +64,16 @@ class Player {
  private:
   /// Plays the cues before a step; without a limit, all cues that are left.
   Result<void> apply_cues(std::optional<std::int64_t> before_step);
+  /// Makes `ahead_` the next cue. False at the end of the log.
+  Result<bool> look_ahead();
+  Result<void> light(const Cue& cue);
   Result<void> advance(std::int64_t to_step);
   Result<void> check_finite() const;
 
   PlayerInput in_;
   std::int64_t first_step_;
   std::int64_t computed_ = 0;
+  std::int64_t cues_ = 0;      // played
   bool whole_canvas_ = false;  // a drying, a clearing or a picture since the last step
   std::int64_t line_ = 0;      // of the log, of the last cue that was played
   std::optional<Cue> ahead_;

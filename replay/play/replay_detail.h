@@ -50,6 +50,7 @@ class ReplayDetail {
     return follower_.checkpoint();
   }
   const DetailFollower& follower() const { return follower_; }
+  DetailFollower& follower() { return follower_; }
   /// Ok, or the reason why parts of the canvas could not be kept.
   const Result<void>& problem() const { return follower_.canvas().problem(); }
   /// The substrate. It must be told of a picture before the simulation loads the picture.

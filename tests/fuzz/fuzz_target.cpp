@@ -3,6 +3,11 @@
 #include <memory>
 
 #include "core/base/check.h"
+#include "formats/checkpoint/canvas_part.h"
+#include "formats/checkpoint/detail_part.h"
+#include "formats/checkpoint/memory_part.h"
+#include "formats/checkpoint/plane_index.h"
+#include "formats/checkpoint/slot_file.h"
 #include "formats/import/gravity_file.h"
 #include "formats/import/sketch/recording.h"
 #include "formats/import/sketch/sketch_log.h"
@@ -60,10 +65,43 @@ void fuzz_log(std::string_view bytes, const log::ReaderOptions& options) {
     log::event_json(**event);
   }
 }
+
+/// Takes one part of a slot apart as a resumed replay does, on a canvas of 4 x 3 cells.
+void take_part(std::string_view name, std::string_view bytes) {
+  const CanvasGeometry grid = {4, 3, 0.4, 0.3};
+  constexpr int kLayers = 2, kChannels = 2, kBands = 3, kDetail = 2;
+  checkpoint::ArchiveReader from(bytes);
+  if (name == "guide") {
+    const CanvasState state = checkpoint::take_canvas({grid, kLayers, kChannels, kBands}, from);
+    if (!from.complete()) return;
+    checkpoint::ArchiveWriter again;
+    checkpoint::put_canvas(state, again);
+  } else if (name == "memory") {
+    checkpoint::take_memory(from);
+  } else if (name == "detail") {
+    const DetailLayout layout(grid, kDetail);
+    const auto notes = checkpoint::take_detail(layout, kLayers, kChannels, from);
+    if (!from.complete()) return;
+    for (int t = 0; t < layout.tiles(); ++t) restore_open_cells(notes.checkpoint, layout, t);
+  } else if (name == "planes") {
+    checkpoint::PlaneIndex::take(from).generations();
+  }
+}
+
+/// A whole slot; or, as checksums hide the parts from a fuzzer, the name of a part, a line feed and
+/// its bytes.
+void fuzz_checkpoint(std::string_view bytes) {
+  const Result<checkpoint::SlotParts> parts = checkpoint::parse_slot(bytes, kName);
+  if (!parts) check_problem(parts.error(), kName);
+  if (parts)
+    for (const auto& [name, part] : *parts) take_part(name, part);
+  const std::size_t end = bytes.find('\n');
+  if (end != std::string_view::npos) take_part(bytes.substr(0, end), bytes.substr(end + 1));
+}
 }  // namespace
 
 std::vector<std::string> fuzz_targets() {
-  std::vector<std::string> out = {"gravity", "log", "repair"};
+  std::vector<std::string> out = {"checkpoint", "gravity", "log", "repair"};
   for (const sketch::Format& format : sketch::formats()) out.emplace_back(format.name);
   return out;
 }
@@ -72,6 +110,7 @@ void fuzz(const std::string& target, std::string_view bytes) {
   log::ReaderOptions options;
   options.repair = target == "repair";
   if (target == "log" || target == "repair") return fuzz_log(bytes, options);
+  if (target == "checkpoint") return fuzz_checkpoint(bytes);
   if (target == "gravity") {
     const Result<sketch::GravityRecording> gravity = sketch::read_gravity({kName, bytes}, {});
     if (!gravity) check_problem(gravity.error(), kName);

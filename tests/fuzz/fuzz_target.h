@@ -8,7 +8,8 @@
 
 namespace pentimento::test {
 
-/// The names of all targets: the formats of recordings, `gravity`, `log` and `repair`.
+/// The names of all targets: the formats of recordings, `checkpoint`, `gravity`, `log` and
+/// `repair`.
 std::vector<std::string> fuzz_targets();
 
 /// Reads the bytes as the target does. Whatever they are, it may say what is wrong, in one line

@@ -43,6 +43,8 @@ class Lock {
             const Threads& threads);
 
   const LockStatistics& statistics() const { return statistics_; }
+  /// Goes on counting from there.
+  void recall(const LockStatistics& statistics) { statistics_ = statistics; }
 
  private:
   /// What is locked together: the depth alone, or one pigment in all its layers.

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include "core/base/kernel.h"
 #include "core/fluid/conservative/advection/advection.h"
@@ -100,8 +101,13 @@ void for_open_faces(const SleepTiles& tiles, Axis axis, const Run& r, const Body
 ConservativeScheme::ConservativeScheme(const CanvasGeometry& geometry)
     : geometry_(geometry), work_(geometry) {}
 
+void ConservativeScheme::make_tiles(float sleep_tile_m) {
+  sleep_tile_m_ = sleep_tile_m;
+  tiles_ = std::make_unique<SleepTiles>(geometry_, sleep_tile_m);
+}
+
 bool ConservativeScheme::step(CanvasState& state, const StepInput& in) {
-  if (!tiles_) tiles_ = std::make_unique<SleepTiles>(geometry_, in.model.sleep_tile_m);
+  if (!tiles_) make_tiles(in.model.sleep_tile_m);
   steps_ += 1;
   // 1. Wake tiles: finds the tiles that this step computes. The workspace of a tile that is asleep
   // holds zeros.
@@ -471,6 +477,27 @@ std::vector<std::pair<std::string, double>> ConservativeScheme::statistics() con
           {"awake_share_max", awake_share_max_},
           {"max_speed_m_s", speed_max_m_s_},
           {"max_depth_m", depth_max_m_}};
+}
+
+std::vector<double> ConservativeScheme::memory() const {
+  return {static_cast<double>(sleep_tile_m_),
+          steps_,
+          awake_share_sum_,
+          awake_share_max_,
+          speed_max_m_s_,
+          depth_max_m_};
+}
+
+bool ConservativeScheme::recall(std::span<const double> memory) {
+  const auto is_sum = [](double v) { return v >= 0 && v <= std::numeric_limits<float>::max(); };
+  if (memory.size() != 6 || !std::all_of(memory.begin(), memory.end(), is_sum)) return false;
+  if (memory[0] > 0) make_tiles(static_cast<float>(memory[0]));
+  steps_ = memory[1];
+  awake_share_sum_ = memory[2];
+  awake_share_max_ = memory[3];
+  speed_max_m_s_ = memory[4];
+  depth_max_m_ = memory[5];
+  return true;
 }
 
 }  // namespace pentimento::conservative

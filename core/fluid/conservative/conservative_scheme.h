@@ -28,6 +28,8 @@ class ConservativeScheme : public FluidScheme {
 
   bool step(CanvasState& state, const StepInput& in) override;
   std::vector<std::pair<std::string, double>> statistics() const override;
+  std::vector<double> memory() const override;
+  bool recall(std::span<const double> memory) override;
   /// Share of the tiles that were awake in the last step.
   double awake_share() const { return tiles_ ? tiles_->awake_share() : 0; }
   /// `done` is called after each pass of a step with the pass's name. For measuring.
@@ -37,6 +39,7 @@ class ConservativeScheme : public FluidScheme {
   void passed(const char* pass) const {
     if (passed_) passed_(pass);
   }
+  void make_tiles(float sleep_tile_m);
   void part_of_step(CanvasState& state, const StepInput& in, int part);
   void advect(CanvasState& state, const StepInput& in, bool even);
   void apply_viscosity(const CanvasState& state, const StepInput& in);
@@ -60,6 +63,7 @@ class ConservativeScheme : public FluidScheme {
 
   CanvasGeometry geometry_;
   std::unique_ptr<SleepTiles> tiles_;  // made at the first step: their size is a parameter
+  float sleep_tile_m_ = 0;             // that parameter then; 0 before the first step
   Workspace work_;
   std::function<void(const char*)> passed_;
   BrushContact untouched_;  // of no size: the brush touches nothing in the later parts of a step

@@ -1,6 +1,8 @@
 #include "core/fluid/paper/paper_scheme.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/fluid/paper/depth.h"
 #include "core/fluid/paper/gravity.h"
@@ -19,6 +21,7 @@ namespace {
 
 constexpr int kRowsPerTask = 8;
 constexpr int kColumnsPerTask = 64;  // whole cache lines, so that tasks share none
+constexpr double kMostSteps = 9e15;  // whole numbers up to here are exact in a double
 
 std::size_t at(int y) {
   return static_cast<std::size_t>(y);
@@ -264,6 +267,20 @@ void PaperScheme::store_velocity(CanvasState& state, const StepInput& in, std::s
 std::vector<std::pair<std::string, double>> PaperScheme::statistics() const {
   const double steps = static_cast<double>(std::max<std::int64_t>(steps_, 1));
   return {{"max_speed_m_s", max_speed_m_s_}, {"live_frac", live_frac_sum_ / steps}};
+}
+
+std::vector<double> PaperScheme::memory() const {
+  return {max_speed_m_s_, live_frac_sum_, static_cast<double>(steps_)};
+}
+
+bool PaperScheme::recall(std::span<const double> memory) {
+  const auto is_sum = [](double v) { return v >= 0 && v <= std::numeric_limits<float>::max(); };
+  if (memory.size() != 3 || !std::all_of(memory.begin(), memory.end(), is_sum)) return false;
+  if (memory[2] > kMostSteps) return false;
+  max_speed_m_s_ = memory[0];
+  live_frac_sum_ = memory[1];
+  steps_ = static_cast<std::int64_t>(memory[2]);
+  return true;
 }
 
 }  // namespace pentimento::paper

@@ -1,0 +1,98 @@
+#include "replay/checkpoint/binding.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "formats/checkpoint/synced_file.h"
+#include "formats/io/sha256.h"
+#include "formats/log/tables/model_fields.h"
+#include "replay/job/build_info.h"
+
+namespace pentimento {
+
+namespace {
+constexpr std::size_t kLeastPairBytes = 8 + 8;
+
+/// SHA-256 of a file of the command line.
+Result<std::string> hash_of_file(const std::string& path) {
+  using checkpoint::PlacedReader;
+  Result<std::unique_ptr<PlacedReader>> file = PlacedReader::open(path);
+  if (!file) return file.error();
+  Sha256 hash;
+  std::vector<char> bytes(std::size_t{1} << 20);
+  for (std::uint64_t done = 0; done < (*file)->size(); done += bytes.size()) {
+    bytes.resize(
+        static_cast<std::size_t>(std::min<std::uint64_t>(bytes.size(), (*file)->size() - done)));
+    if (Result<void> read = (*file)->read(done, bytes); !read) return read.error();
+    hash.update(bytes.data(), bytes.size());
+  }
+  return hash.hex();
+}
+
+std::string cells(const CanvasGeometry& grid) {
+  return fmt::format("{} x {}", grid.width, grid.height);
+}
+
+const std::string* find(const Binding& binding, const std::string& name) {
+  const auto found =
+      std::find_if(binding.begin(), binding.end(), [&](const auto& p) { return p.first == name; });
+  return found == binding.end() ? nullptr : &found->second;
+}
+}  // namespace
+
+Result<Binding> binding_of(const RenderJob& job, const LogSession& session) {
+  Binding binding = {{"log", session.plan.sha256}};
+  for (const auto& [name, sha256] : session.files.hashes())
+    binding.emplace_back("file " + name, sha256);
+  const std::pair<const char*, const std::string&> named[] = {
+      {"--from", job.from}, {"--environment", job.light.environment}};
+  for (const auto& [option, path] : named) {
+    if (path.empty()) continue;
+    Result<std::string> sha256 = hash_of_file(path);
+    if (!sha256) return sha256.error();
+    binding.emplace_back(option, *sha256);
+  }
+  binding.emplace_back("build", software());
+  binding.emplace_back("grid", cells(session.grid));
+  binding.emplace_back("detail", std::to_string(session.detail));
+  for (const log::ModelField& field : log::model_fields())
+    binding.emplace_back("model." + std::string(field.name),
+                         log::model_value_json(field, session.model));
+  binding.emplace_back("outputs", fmt::format("{}", fmt::join(job.picture.outputs, " ")));
+  // All other options, as they are written.
+  binding.emplace_back("command", job.command);
+  return binding;
+}
+
+void put_binding(const Binding& binding, checkpoint::ArchiveWriter& to) {
+  to.u64(binding.size());
+  for (const auto& [name, value] : binding) {
+    to.text(name);
+    to.text(value);
+  }
+}
+
+Binding take_binding(checkpoint::ArchiveReader& from) {
+  Binding binding;
+  const std::uint64_t count = from.count(kLeastPairBytes);
+  for (std::uint64_t i = 0; i < count && from.ok(); ++i) {
+    std::string name = from.text();
+    binding.emplace_back(std::move(name), from.text());
+  }
+  return binding;
+}
+
+std::string difference(const Binding& kept, const Binding& now) {
+  for (const auto& [name, value] : kept) {
+    const std::string* other = find(now, name);
+    if (other == nullptr) return fmt::format("{} {}, which this job does not have", name, value);
+    if (*other != value) return fmt::format("{} {}, not {}", name, value, *other);
+  }
+  for (const auto& [name, value] : now)
+    if (find(kept, name) == nullptr) return fmt::format("a job without {} {}", name, value);
+  return {};
+}
+
+}  // namespace pentimento

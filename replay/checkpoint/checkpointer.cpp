@@ -1,0 +1,223 @@
+#include "replay/checkpoint/checkpointer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace pentimento {
+
+namespace {
+// Saving may take so much of the time that the run has taken up to then.
+constexpr double kMostOfTime_frac = 0.03;
+// Until a slot has been measured: a slow disk. And what every slot costs, however small, in three
+// waits for the disk.
+constexpr double kFirstGuess_bytes_per_s = 1e8;
+constexpr double kLeastCost_s = 0.03;
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point begin) {
+  return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+/// The guide's planes as they lie in memory: more than the slot takes.
+std::int64_t guide_bytes(const CanvasState& state) {
+  constexpr std::int64_t kOtherPlanes = 5;  // depth, velocities, base, strokes
+  const std::int64_t planes =
+      kOtherPlanes + state.bands + std::int64_t{state.layers} * state.channels;
+  return planes * state.geometry.width * state.geometry.height *
+         static_cast<std::int64_t>(sizeof(float));
+}
+}  // namespace
+
+Checkpointer::Checkpointer(const CheckpointChoice& choice, const Control& control,
+                           std::unique_ptr<SlotFolder> folder)
+    : choice_(choice),
+      control_(control),
+      folder_(std::move(folder)),
+      planes_(choice.folder),
+      bytes_per_s_(kFirstGuess_bytes_per_s) {
+  report_.folder = choice.folder;
+}
+
+Result<std::unique_ptr<Checkpointer>> Checkpointer::open(const CheckpointChoice& choice,
+                                                         const Control& control) {
+  Result<std::unique_ptr<SlotFolder>> folder = SlotFolder::open(choice.folder);
+  if (!folder) return folder.error();
+  return std::unique_ptr<Checkpointer>(new Checkpointer(choice, control, std::move(*folder)));
+}
+
+Result<void> Checkpointer::begin(const ReplayParts& parts, Binding binding) {
+  parts_.emplace(parts);
+  binding_ = std::move(binding);
+  first_step_ = parts.simulation.state().step;
+  const std::vector<std::uint64_t> slots = folder_->slots();
+  if (slots.empty()) return {};
+  std::string first_problem;
+  for (const std::uint64_t generation : slots) {
+    const Result<void> resumed = resume_from(generation);
+    if (resumed) {
+      if (first_problem.empty()) return {};
+      report_.older_slot = true;
+      control_.warning(first_problem + "; the slot before it is used");
+      return {};
+    }
+    const ErrorCode code = resumed.error().code;
+    if (code != ErrorCode::kBadInput && code != ErrorCode::kIo) return resumed.error();
+    if (first_problem.empty()) first_problem = resumed.error().message;
+  }
+  return Error{ErrorCode::kBadInput,
+               fmt::format("{}; no slot in {} is whole: remove the folder to begin anew",
+                           first_problem, folder_->path())};
+}
+
+Result<void> Checkpointer::resume_from(std::uint64_t generation) {
+  const std::string name = folder_->slot_file(generation);
+  const Result<checkpoint::SlotParts> parts = checkpoint::read_slot(name);
+  if (!parts) return parts.error();
+  const Result<Binding> kept = binding_in(*parts, name);
+  if (!kept) return kept.error();
+  if (const std::string other = difference(*kept, binding_); !other.empty())
+    return Error{ErrorCode::kUsage, fmt::format("{}: it was saved for {}", name, other)};
+  const CanvasState& state = parts_->simulation.state();
+  const int detail = follower() == nullptr ? 1 : follower()->canvas().layout().factor();
+  Result<Slot> slot = decode_slot(
+      *parts, {{state.geometry, state.layers, state.channels, state.bands}, detail}, name);
+  if (!slot) return slot.error();
+  if (Result<void> recalled = recall(*slot); !recalled) return recalled;
+  newest_ = generation;
+  stops_done_ = slot->stops_done;
+  saved_ = now();
+  report_.resumed_step = slot->step;
+  return {};
+}
+
+/// What may fail comes first: then another slot can still be tried.
+Result<void> Checkpointer::recall(Slot& slot) {
+  if (slot.detail) {
+    Result<void> recalled = planes_.recall(*slot.detail, std::move(slot.planes), *follower());
+    if (!recalled) return recalled;
+  }
+  if (Result<void> kept = parts_->outputs.recall(slot.outputs, folder_->path()); !kept) return kept;
+  if (Result<void> skipped = parts_->player.skip_to(slot.position); !skipped) return skipped;
+  if (parts_->simulation.recall(std::move(slot.guide), slot.memory)) return {};
+  return Error{ErrorCode::kUsage,
+               fmt::format("{}: what its brushes hold does not fit this job", folder_->path())};
+}
+
+Checkpointer::Moment Checkpointer::now() const {
+  return {parts_->simulation.state().step, parts_->player.position().cues, stops_done_};
+}
+
+DetailFollower* Checkpointer::follower() const {
+  return parts_->detail == nullptr ? nullptr : &parts_->detail->follower();
+}
+
+void Checkpointer::stop_done() {
+  ++stops_done_;
+  parts_->outputs.stop_done();
+}
+
+bool Checkpointer::is_due() const {
+  if (choice_.every_steps) {
+    const std::int64_t n = *choice_.every_steps;
+    const std::int64_t last = saved_ ? saved_->step : first_step_;
+    return parts_->simulation.state().step / n != last / n;
+  }
+  return seconds_since(saved_at_) >= choice_.every_s && is_affordable();
+}
+
+bool Checkpointer::is_affordable() const {
+  return report_.wall_s + expected_cost_s() <= kMostOfTime_frac * seconds_since(begun_);
+}
+
+double Checkpointer::expected_cost_s() const {
+  std::int64_t bytes = slot_bytes_ > 0 ? slot_bytes_ : guide_bytes(parts_->simulation.state());
+  if (const DetailFollower* detail = follower()) bytes += planes_.bytes_to_save(*detail);
+  return kLeastCost_s + static_cast<double>(bytes) / bytes_per_s_;
+}
+
+Result<void> Checkpointer::between_steps() {
+  if (!control_.go_on()) return interrupted();
+  if (is_due()) save_or_warn();
+  return {};
+}
+
+void Checkpointer::before_outputs(bool last_stop) {
+  const bool wanted = choice_.every_steps ? last_stop : is_affordable();
+  if (wanted) save_or_warn();
+}
+
+void Checkpointer::save_or_warn() {
+  const Result<void> saved = save();
+  if (!saved) control_.warning(saved.error().message + "; this moment is not saved");
+}
+
+Result<void> Checkpointer::save() {
+  if (saved_ == now()) return {};
+  const Clock::time_point begin = Clock::now();
+  if (DetailFollower* detail = follower()) {
+    detail->finish_stamps();
+    if (const Result<void>& whole = detail->canvas().problem(); !whole) return whole;
+  }
+  Result<void> written = write(folder_->next_generation());
+  saved_at_ = Clock::now();  // also of one that failed: not again before the time has come
+  const double cost_s = std::chrono::duration<double>(saved_at_ - begin).count();
+  report_.wall_s += cost_s;
+  if (!written) return written;
+  const std::int64_t bytes = slot_bytes_ + planes_.bytes_saved();
+  bytes_per_s_ = static_cast<double>(bytes) / std::max(cost_s, kLeastCost_s);
+  report_.bytes_written += bytes;
+  ++report_.slots_written;
+  saved_ = now();
+  return {};
+}
+
+/// The planes first, the slot that needs them last. Then what no slot needs goes away.
+Result<void> Checkpointer::write(std::uint64_t generation) {
+  Slot slot;
+  slot.binding = binding_;
+  slot.position = parts_->player.position();
+  slot.step = parts_->simulation.state().step;
+  slot.stops_done = stops_done_;
+  Result<std::vector<KeptOutput>> kept = parts_->outputs.keep(folder_->path());
+  if (!kept) return kept.error();
+  slot.outputs = std::move(*kept);
+  slot.memory = parts_->simulation.memory();
+  DetailFollower* detail = follower();
+  if (detail != nullptr) {
+    slot.detail = {detail->checkpoint(), detail->lock_statistics()};
+    Result<checkpoint::PlaneIndex> planes = planes_.save(*detail, generation);
+    if (!planes) return planes.error();
+    slot.planes = std::move(*planes);
+  }
+  Result<std::uint64_t> bytes =
+      write_slot(folder_->slot_file(generation), slot, parts_->simulation.state());
+  if (!bytes) return bytes.error();
+  slot_bytes_ = static_cast<std::int64_t>(*bytes);
+  std::set<std::uint64_t> slots = {generation}, needed = slot.planes.generations();
+  if (newest_) slots.insert(*newest_);
+  needed.merge(planes_.index().generations());
+  if (detail != nullptr) planes_.commit(std::move(slot.planes), *detail);
+  folder_->keep_only(slots, needed);
+  newest_ = generation;
+  return {};
+}
+
+Error Checkpointer::interrupted() {
+  if (Result<void> saved = save(); !saved)
+    return {saved.error().code, "interrupted, and not saved: " + saved.error().message};
+  return {ErrorCode::kInterrupted,
+          fmt::format("interrupted at step {}; the same command goes on from {}", saved_->step,
+                      folder_->path())};
+}
+
+CheckpointReport Checkpointer::finish() {
+  folder_->clear();
+  return report_;
+}
+
+}  // namespace pentimento

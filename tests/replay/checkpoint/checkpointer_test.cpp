@@ -1,0 +1,282 @@
+#include "replay/checkpoint/checkpointer.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "tests/replay/checkpoint/interrupted_job.h"
+#include "tests/replay/small_job.h"
+
+namespace pentimento {
+namespace {
+
+using test::comparable;
+using test::interrupt;
+using test::JobFolder;
+using test::rendered;
+using test::survive;
+using test::Survived;
+
+/// Two fingers at once, hairs, a knife that takes paint up, an undone stroke, paint that dries and
+/// paint that runs, sliders, and a fresh canvas in between.
+std::string busy_log(const std::string& header_members = "") {
+  return R"({"type":"header","format":"pentimento-log","version":1,"canvas":{"width":0.2,"height":0.15},)"
+         R"("grid":{"width":48,"height":36},)" +
+         header_members +
+         R"("palette":[{"name":"blue","over_white":"#1f2f8c","over_black":"#05071c"},)"
+         R"({"name":"red","over_white":"#c02018","over_black":"#300808"}]})"
+         R"(
+{"t":0,"type":"color","pigment":"blue"}
+{"t":0.02,"type":"brush","name":"fan"}
+{"t":0.05,"type":"touch","id":1,"phase":"down","x":0.03,"y":0.04}
+{"t":0.08,"type":"touch","id":2,"phase":"down","x":0.04,"y":0.11}
+{"t":0.15,"type":"touch","id":1,"phase":"move","x":0.1,"y":0.06}
+{"t":0.18,"type":"touch","id":2,"phase":"move","x":0.12,"y":0.1}
+{"t":0.22,"type":"touch","id":1,"phase":"up","x":0.16,"y":0.04}
+{"t":0.26,"type":"touch","id":2,"phase":"up","x":0.17,"y":0.12}
+{"t":0.28,"type":"dry"}
+{"t":0.3,"type":"color","pigment":"red"}
+{"t":0.3,"type":"slider","name":"size","value":0.04}
+{"t":0.32,"type":"touch","id":1,"phase":"down","x":0.05,"y":0.02}
+{"t":0.42,"type":"touch","id":1,"phase":"up","x":0.06,"y":0.13}
+{"t":0.43,"type":"undo"}
+{"t":0.44,"type":"touch","id":1,"phase":"down","x":0.12,"y":0.02}
+{"t":0.54,"type":"touch","id":1,"phase":"up","x":0.1,"y":0.1}
+{"t":0.56,"type":"gravity","x":0,"y":9.8,"z":1}
+{"t":0.7,"type":"brush","name":"knife"}
+{"t":0.72,"type":"touch","id":4,"phase":"down","x":0.06,"y":0.05}
+{"t":0.9,"type":"touch","id":4,"phase":"up","x":0.15,"y":0.08}
+{"t":0.95,"type":"mark","name":"end"}
+)";
+}
+
+RenderJob checkpointed(RenderJob job, const JobFolder& folder) {
+  job.checkpoint.folder = folder.path("ck");
+  return job;
+}
+
+/// Heavy mode: saved and brought back after every step.
+void expect_heavy_mode_changes_nothing(const std::string& log, RenderJob job,
+                                       const JobFolder& folder) {
+  folder.write("a.jsonl", log);
+  const std::string plain = comparable(rendered(job));
+  std::vector<std::string> files;
+  for (const std::string& output : job.picture.outputs) files.push_back(test::slurp(output));
+  const Survived survived = survive(checkpointed(job, folder), 1);
+  ASSERT_TRUE(survived.report) << survived.report.error().message;
+  EXPECT_GT(survived.interruptions, 12);  // idle steps are skipped
+  EXPECT_EQ(comparable(*survived.report), plain);
+  for (std::size_t i = 0; i < files.size(); ++i)
+    EXPECT_EQ(test::slurp(job.picture.outputs[i]) == files[i], true) << job.picture.outputs[i];
+  EXPECT_FALSE(std::filesystem::exists(folder.path("ck"))) << "a job that is done needs no slots";
+}
+
+TEST(Checkpointer, SavedAfterEveryStepAReplayIsAsIfItHadNotBeenInterrupted) {
+  for (const int detail : {1, 2, 3}) {
+    SCOPED_TRACE(detail);
+    const JobFolder folder;
+    RenderJob job = folder.job({"a.h5", "a.png"});
+    job.detail = detail;
+    expect_heavy_mode_changes_nothing(busy_log(), job, folder);
+  }
+}
+
+TEST(Checkpointer, SoIsSpectralPaint) {
+  const JobFolder folder;
+  RenderJob job = folder.job({"a.h5"});
+  job.detail = 2;
+  expect_heavy_mode_changes_nothing(busy_log(R"("optics":"spectral",)"), job, folder);
+}
+
+TEST(Checkpointer, SoIsThePublishedFluid) {
+  const JobFolder folder;
+  RenderJob job = folder.job({"a.h5"});
+  job.model = {{"scheme", "paper"}};
+  expect_heavy_mode_changes_nothing(busy_log(), job, folder);
+}
+
+TEST(Checkpointer, SoAreSeveralStopsThatSettleAndAScratchFile) {
+  const JobFolder folder;
+  RenderJob stops = folder.job({"f-%.h5", "g-%.png"}, {"0.3", "0.6", "0.9"});
+  stops.detail = 2;
+  stops.scratch = folder.path("");
+  folder.write("a.jsonl", busy_log());
+  const std::string plain = comparable(rendered(stops));
+  std::vector<std::string> files;
+  for (const char* name : {"f-0.3.h5", "f-0.6.h5", "f-0.9.h5", "g-0.3.png", "g-0.6.png"}) {
+    files.push_back(test::slurp(folder.path(name)));
+    std::filesystem::remove(folder.path(name));
+  }
+  const Survived survived = survive(checkpointed(stops, folder), 1);
+  ASSERT_TRUE(survived.report) << survived.report.error().message;
+  EXPECT_EQ(comparable(*survived.report), plain);
+  std::size_t i = 0;
+  for (const char* name : {"f-0.3.h5", "f-0.6.h5", "f-0.9.h5", "g-0.3.png", "g-0.6.png"})
+    EXPECT_TRUE(test::slurp(folder.path(name)) == files[i++]) << name;
+
+  RenderJob rests = folder.job({"a.h5"}, {"0.4"});
+  rests.settle_s = 0.5;
+  expect_heavy_mode_changes_nothing(busy_log(), rests, folder);
+}
+
+TEST(Checkpointer, SoIsWhatGoesOnFromADump) {
+  const JobFolder folder;
+  RenderJob first = folder.job({"half.h5"}, {"0.6"});
+  first.detail = 2;
+  folder.write("a.jsonl", busy_log());
+  rendered(first);
+  RenderJob job = folder.job({"a.h5"});
+  job.from = folder.path("half.h5");
+  job.detail = 2;
+  expect_heavy_mode_changes_nothing(busy_log(), job, folder);
+}
+
+TEST(Checkpointer, SoIsAFilm) {
+  const JobFolder folder(busy_log());
+  RenderJob job = folder.job({"film.avi", "frame-%02d.png"});
+  job.film.frames = 9;
+  const std::string plain = comparable(rendered(job));
+  const std::string film = test::slurp(folder.path("film.avi"));
+  const std::string frame = test::slurp(folder.path("frame-04.png"));
+  const Survived survived = survive(checkpointed(job, folder), 2);
+  ASSERT_TRUE(survived.report) << survived.report.error().message;
+  EXPECT_GT(survived.interruptions, 15);
+  EXPECT_EQ(comparable(*survived.report), plain);
+  EXPECT_TRUE(test::slurp(folder.path("film.avi")) == film);
+  EXPECT_TRUE(test::slurp(folder.path("frame-04.png")) == frame);
+}
+
+/// A job that was interrupted at steps 20 and 30, so that it has two slots.
+struct TwoSlots {
+  TwoSlots() : folder(busy_log()), job(checkpointed(folder.job({"a.h5"}), folder)) {
+    job.detail = 2;
+    interrupt(job, 15);
+    interrupt(job, 8);
+  }
+  std::vector<std::string> slots() const {
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(folder.path("ck")))
+      if (entry.path().extension() == ".slot") names.push_back(entry.path().string());
+    std::sort(names.begin(), names.end());
+    return names;
+  }
+  JobFolder folder;
+  RenderJob job;
+};
+
+/// Of the paint alone: files of different folders have different names.
+std::string comparable_paint(JobReport report) {
+  report.outputs.clear();
+  return comparable(report);
+}
+
+/// What another run of the job says, without changing the slots.
+Error refusal(const RenderJob& job) {
+  Result<JobReport> done = render(job, Control());
+  EXPECT_FALSE(done) << "it was taken";
+  return done ? Error{} : done.error();
+}
+
+TEST(Checkpointer, ATornNewestSlotGivesWayToTheOneBefore) {
+  const JobFolder folder(busy_log());
+  RenderJob plain_job = folder.job({"a.h5"});
+  plain_job.detail = 2;
+  const std::string plain = comparable_paint(rendered(plain_job));
+  for (const char* how : {"cut", "flipped", "empty", "planes"}) {
+    SCOPED_TRACE(how);
+    const TwoSlots two;
+    ASSERT_EQ(two.slots().size(), 2u);
+    std::string torn = two.slots().back();
+    if (std::string(how) == "planes") torn.replace(torn.rfind("slot"), 4, "planes");
+    std::string bytes = test::slurp(torn);
+    if (std::string(how) == "empty") {
+      bytes.clear();
+    } else if (std::string(how) == "cut") {
+      bytes.resize(bytes.size() / 2);
+    } else {
+      bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 4);
+    }
+    test::spill(torn, bytes);
+    const Survived survived = survive(two.job, 1000);
+    ASSERT_TRUE(survived.report) << survived.report.error().message;
+    ASSERT_EQ(survived.warnings.size(), 1u);
+    EXPECT_NE(survived.warnings[0].find("the slot before it is used"), std::string::npos)
+        << survived.warnings[0];
+    EXPECT_TRUE(survived.report->checkpoint->older_slot);
+    EXPECT_EQ(comparable_paint(*survived.report), plain);
+  }
+}
+
+TEST(Checkpointer, IfNoSlotIsWholeTheJobDoesNotBeginAnewInSilence) {
+  const TwoSlots two;
+  for (const std::string& slot : two.slots()) test::spill(slot, "torn");
+  const Error error = refusal(two.job);
+  EXPECT_EQ(error.code, ErrorCode::kBadInput);
+  EXPECT_NE(error.message.find("remove the folder to begin anew"), std::string::npos)
+      << error.message;
+}
+
+TEST(Checkpointer, SlotsOfAnotherJobAreRefusedWithTheReason) {
+  const TwoSlots two;
+  const auto reason = [&](const auto& change) {
+    RenderJob other = two.job;
+    change(other);
+    const Error error = refusal(other);
+    EXPECT_EQ(error.code, ErrorCode::kUsage) << error.message;
+    return error.message.substr(error.message.find(": ") + 2);
+  };
+  EXPECT_EQ(reason([](RenderJob& j) { j.detail = 3; }), "it was saved for detail 2, not 3");
+  EXPECT_EQ(reason([](RenderJob& j) {
+              j.model = {{"bed_friction", "0.5"}};
+            }).rfind("it was saved for model.bed_friction ", 0),
+            0u);
+  EXPECT_EQ(reason([](RenderJob& j) { j.command = "pentimento render --exposure 1"; }),
+            "it was saved for command , not pentimento render --exposure 1");
+  EXPECT_EQ(reason([](RenderJob& j) {
+              j.picture.outputs.push_back("b.h5");
+            }).rfind("it was saved for outputs ", 0),
+            0u);
+  two.folder.write("other.jsonl", busy_log() + "\n");
+  EXPECT_EQ(reason([&](RenderJob& j) {
+              j.log = two.folder.path("other.jsonl");
+            }).rfind("it was saved for log ", 0),
+            0u);
+  EXPECT_EQ(two.slots().size(), 2u) << "they serve the job that they belong to";
+  EXPECT_TRUE(survive(two.job, 1000).report);
+}
+
+TEST(Checkpointer, AFolderThatAnotherRunUsesIsRefused) {
+  const JobFolder folder(busy_log());
+  const RenderJob job = checkpointed(folder.job({"a.h5"}), folder);
+  const auto other = SlotFolder::open(folder.path("ck"));
+  ASSERT_TRUE(other);
+  const Error error = refusal(job);
+  EXPECT_EQ(error.code, ErrorCode::kUsage);
+  EXPECT_NE(error.message.find("another run uses it"), std::string::npos) << error.message;
+}
+
+TEST(Checkpointer, HashesOfStepsAreRefused) {
+  const JobFolder folder(busy_log());
+  RenderJob job = checkpointed(folder.job({"a.h5"}), folder);
+  job.hashes = folder.path("hashes");
+  EXPECT_EQ(refusal(job).code, ErrorCode::kUsage);
+  EXPECT_FALSE(std::filesystem::exists(folder.path("ck")));
+}
+
+TEST(Checkpointer, SavesAsOftenAsItIsTold) {
+  const JobFolder folder(busy_log());
+  RenderJob job = checkpointed(folder.job({"a.h5"}), folder);
+  job.checkpoint.every_steps = 10;
+  const JobReport often = rendered(job);  // 43 steps: at 10, 20, 30, 40, and before the outputs
+  ASSERT_TRUE(often.checkpoint);
+  EXPECT_EQ(often.checkpoint->slots_written, 5);
+  EXPECT_GT(often.checkpoint->bytes_written, 0);
+  EXPECT_FALSE(often.checkpoint->resumed_step);
+  job.checkpoint.every_steps.reset();
+  EXPECT_EQ(rendered(job).checkpoint->slots_written, 0) << "a moment's work is not worth a slot";
+  EXPECT_FALSE(rendered(folder.job({"a.h5"})).checkpoint);
+}
+
+}  // namespace
+}  // namespace pentimento
