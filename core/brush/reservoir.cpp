@@ -42,6 +42,24 @@ void find_texels(const TipRow& given, int first, int n, CellTexels& out) {
   }
 }
 
+/// PaintLoad::volume_of(), the same sum.
+inline float volume_of(const float* paint, const float* weight, int stride) {
+  float lane[4] = {0, 0, 0, 0};
+  for (int k = 0; k < stride; k += 4)
+    for (int i = 0; i < 4; ++i) lane[i] += weight[k + i] * paint[k + i];
+  return (lane[0] + lane[1]) + (lane[2] + lane[3]);
+}
+
+/// paint += wanted scale - frac paint; traces become 0.
+inline void mix(const float* wanted, float scale, float frac, int stride, float* __restrict paint) {
+  for (int k = 0; k < stride; k += 4) {
+    for (int i = k; i < k + 4; ++i) {
+      const float mixed = paint[i] + (wanted[i] * scale - frac * paint[i]);
+      paint[i] = mixed < kTrace ? 0 : mixed;
+    }
+  }
+}
+
 /// `kStride`: floats per texel; 0: `given_stride` floats.
 template <int kStride>
 inline void blend_cells(const float* data, int given_stride, const CellTexels& at, int n,
@@ -116,40 +134,51 @@ void Reservoir::sample_row(const TipRow& tip, int first, int n, float* out) cons
   }
 }
 
+/// Measures the tip's texels, and brings them nearer to the load if it `gives`. `kStride`: floats
+/// per texel; 0: as many as it has.
+template <int kStride>
+void Reservoir::refill_texels(const PaintLoad& load, const Tip& tip, float refill_frac,
+                              bool gives) {
+  const int stride = kStride > 0 ? kStride : stride_;
+  const float* weight = load.weight.data();
+  const float full_m = load.volume_m;
+  float* volume_m = volume_.data();
+  double surplus = 0;
+  for (const TipTexel& t : tip.texels()) {
+    float* paint = data_.data() + static_cast<std::ptrdiff_t>(t.index) * stride;
+    const float volume = volume_of(paint, weight, stride);
+    *volume_m++ = volume;
+    surplus += static_cast<double>(t.weight * std::max(0.0f, volume - full_m));
+    if (!gives) continue;
+    const float scale = refill_frac * std::max(1.0f, volume / full_m);
+    mix(load.row(t.index / kReservoirColumns), scale, refill_frac, stride, paint);
+  }
+  surplus_ = surplus;
+}
+
 void Reservoir::refill(const PaintLoad& load, const Tip& tip, float refill_frac) {
   surplus_ = 0;
   if (as_loaded_) return;
   volume_.resize(tip.texels().size());
   const bool gives = load.volume_m > 0 && refill_frac != 0;
-  for (std::size_t n = 0; n < volume_.size(); ++n) {
-    const TipTexel& t = tip.texels()[n];
-    float* paint = data_.data() + static_cast<std::ptrdiff_t>(t.index) * stride_;
-    const float volume = load.volume_of(paint);
-    volume_[n] = volume;
-    surplus_ += static_cast<double>(t.weight * std::max(0.0f, volume - load.volume_m));
-    if (!gives) continue;
-    const float scale = refill_frac * std::max(1.0f, volume / load.volume_m);
-    const float* wanted = load.row(t.index / kReservoirColumns);
-    for (int k = 0; k < stride_; k += 4) {
-      for (int i = k; i < k + 4; ++i) {
-        const float mixed = paint[i] + (wanted[i] * scale - refill_frac * paint[i]);
-        paint[i] = mixed < kTrace ? 0 : mixed;
-      }
-    }
+  if (stride_ == kPadding) {
+    refill_texels<kPadding>(load, tip, refill_frac, gives);
+  } else {
+    refill_texels<0>(load, tip, refill_frac, gives);
   }
 }
 
 void Reservoir::drop_surplus(const PaintLoad& load, const Tip& tip, float frac) {
   if (!(surplus_ > 0)) return;
-  for (std::size_t n = 0; n < volume_.size(); ++n) {
-    const TipTexel& t = tip.texels()[n];
-    const float volume = volume_[n];
-    if (!(volume > load.volume_m)) continue;
-    const float share = std::min(1.0f, frac * t.weight) * (volume - load.volume_m) / volume;
+  const float full_m = load.volume_m;
+  const float* volume_m = volume_.data();
+  for (const TipTexel& t : tip.texels()) {
+    const float volume = *volume_m++;
+    if (!(volume > full_m)) continue;
+    const float share = std::min(1.0f, frac * t.weight) * (volume - full_m) / volume;
     float* paint = data_.data() + static_cast<std::ptrdiff_t>(t.index) * stride_;
     for (int k = 0; k < stride_; k += 4)
       for (int i = k; i < k + 4; ++i) paint[i] -= share * paint[i];
-    volume_[n] = volume - share * volume;
   }
 }
 

@@ -75,6 +75,9 @@ class Reservoir {
   float dry_ahead_frac = 1;  // share of dry canvas where the stroke ran onto last
 
  private:
+  template <int kStride>
+  void refill_texels(const PaintLoad& load, const Tip& tip, float refill_frac, bool gives);
+
   int stride_;
   bool as_loaded_ = false;  // only fill() has changed it: a refill would do nothing
   double surplus_ = 0;

@@ -129,7 +129,7 @@ void Tip::list_texels(const Field<float>& map) {
       const int index = y * kColumns + x;
       texels_.push_back(
           {index, centre(x, kColumns), centre(y, kRows), std::min(1.0f, value / mean())});
-      covered_[static_cast<std::size_t>(index)] = 1;
+      covered_.add(x, y);
     }
   }
 }

@@ -98,6 +98,19 @@ struct TipTexel {
   float weight = 0;    // min(1, value / mean), the largest around: (0,1]
 };
 
+/// Which texels of the reservoir a tip covers, 1 or 0, as kernels read it.
+struct CoveredTexels {
+  std::array<float, kReservoirTexels> by_row{}, by_column{};
+  std::array<float, 4 * std::size_t{kReservoirTexels}> four{};  // by row, each four times
+
+  void add(int column, int row) {
+    const std::size_t at = static_cast<std::size_t>(row * kReservoirColumns + column);
+    by_row[at] = 1;
+    by_column[static_cast<std::size_t>(column * kReservoirRows + row)] = 1;
+    std::fill_n(four.begin() + static_cast<std::ptrdiff_t>(4 * at), 4, 1.0f);
+  }
+};
+
 class Tip {
  public:
   /// Draws the brush's tip. The bristles follow from the brush's name: the same name gives the same
@@ -118,8 +131,8 @@ class Tip {
   const BristleTable& end_table() const { return ends_; }
   /// The reservoir's texels that the tip covers, and the texels next to those.
   const std::vector<TipTexel>& texels() const { return texels_; }
-  /// 1 for the texels in texels(), 0 for the others.
-  float covered(int texel) const { return covered_[static_cast<std::size_t>(texel)]; }
+  /// The same texels.
+  const CoveredTexels& covered() const { return covered_; }
 
  private:
   /// The maps of one amount of press: the finest first, half an octave apart.
@@ -136,7 +149,7 @@ class Tip {
   std::vector<Press> presses_;  // evenly from press 0 to 1; a single one stands for all
   TipExtent extent_;
   std::vector<TipTexel> texels_;
-  std::array<float, kReservoirTexels> covered_{};
+  CoveredTexels covered_;
   BristleTable grip_, ends_;
   std::vector<BristleTable> supply_;  // evenly from dry to kWetFrac; empty: no bristles
 };

@@ -32,30 +32,42 @@ void add_shifted_row(const float* top, const float* bottom, const float* w, int 
     out[i] += (a * top[i] + b * top[i + 1]) + (c * bottom[i] + d * bottom[i + 1]);
 }
 
-/// out[i] = sum of weight[j] in[i + j]
-PENTIMENTO_KERNEL
-void filter_row(const float* in, const float* weight, int taps, int n, float* __restrict out) {
-  for (int i = 0; i < n; ++i) out[i] = weight[0] * in[i];
-  for (int j = 1; j < taps; ++j)
-    for (int i = 0; i < n; ++i) out[i] += weight[j] * in[i + j];
-}
+constexpr int kTogether = 16;  // sums that stay in registers
 
+/// A filter along the rows, where `step` is 1, or across them, where it is the rows' distance.
+struct BoxFilter {
+  const float* weight;
+  int taps;
+  std::ptrdiff_t step, in_stride, out_stride;
+};
+
+/// out[i] = sum of weight[j] in[i + j step] in each row, in the order of the taps. `n` is at least
+/// kTogether.
 PENTIMENTO_KERNEL
-void add_weighted_row(float weight, const float* in, int n, float* __restrict out) {
-  for (int i = 0; i < n; ++i) out[i] += weight * in[i];
+void filter_rows(const BoxFilter& filter, const float* in, float* __restrict out, int rows, int n) {
+  const BoxFilter f = filter;
+  for (int y = 0; y < rows; ++y, in += f.in_stride, out += f.out_stride) {
+    for (int i = 0; i < n; i += kTogether) {
+      // The last sums of a row begin where they all fit; some are found twice.
+      const int at = std::min(i, n - kTogether);
+      float sum[kTogether] = {};
+      for (int j = 0; j < f.taps; ++j)
+        for (int k = 0; k < kTogether; ++k) sum[k] += f.weight[j] * in[at + k + j * f.step];
+      for (int k = 0; k < kTogether; ++k) out[at + k] = sum[k];
+    }
+  }
 }
 
 /// The share that a box of `width` texels takes of each texel around its middle texel.
-std::vector<float> box_weights(float width) {
+void find_box_weights(float width, std::vector<float>& weight) {
   const float half = 0.5f * width;
   const int reach = static_cast<int>(std::ceil(half - 0.5f));
-  std::vector<float> weight;
+  weight.clear();
   for (int i = -reach; i <= reach; ++i) {
     const float at = std::abs(static_cast<float>(i));
     weight.push_back(std::clamp(half - at + 0.5f, 0.0f, 1.0f) / width);
   }
   if (reach == 0) weight[0] = 1;
-  return weight;
 }
 
 /// Cuts [begin, end) to about where |at + step i| < half; keeps a few cells more, against rounding.
@@ -110,6 +122,12 @@ void make_room(Field<float>& map, int size) {
   }
   for (int y = 0; y < size; ++y) std::fill_n(map.row(y), size, 0.0f);
 }
+
+/// Makes the rows outside of [first, first + rows) zero.
+void clear_around(Field<float>& map, int first, int rows, int size) {
+  for (int y = 0; y < size; ++y)
+    if (y < first || y >= first + rows) std::fill_n(map.row(y), size, 0.0f);
+}
 }  // namespace
 
 /// The pressed and dried tip, with the margin around it.
@@ -142,18 +160,16 @@ void TipFootprint::add_footprint(float u_texels, float v_texels, float weight) {
 
 /// map = still * box of `texels`.
 void TipFootprint::average(float texels) {
-  const std::vector<float> weight = box_weights(texels);
-  const int taps = static_cast<int>(weight.size()), reach = taps / 2;
-  const int width = width_, n = width - 2 * reach;
-  for (int y = reach; y < width - reach; ++y) {
-    filter_row(still_.row(y), weight.data(), taps, n, map_.row(y) + reach);
-  }
+  find_box_weights(texels, box_weight_);
+  const int taps = static_cast<int>(box_weight_.size()), reach = taps / 2;
+  const int n = width_ - 2 * reach;
+  const std::ptrdiff_t still = still_.view().stride(), map = map_.view().stride();
+  filter_rows({box_weight_.data(), taps, 1, still, map}, still_.row(reach), map_.row(reach) + reach,
+              n, n);
   std::swap(still_, map_);
-  make_room(map_, width_);
-  for (int y = reach; y < width - reach; ++y)
-    for (int j = 0; j < taps; ++j)
-      add_weighted_row(weight[static_cast<std::size_t>(j)], still_.row(y + j - reach), width,
-                       map_.row(y));
+  clear_around(map_, reach, n, width_);
+  filter_rows({box_weight_.data(), taps, map, map, still}, still_.row(0), map_.row(reach), n,
+              width_);
 }
 
 /// `u_texels`: how far the map reaches beyond the tip itself.
@@ -170,7 +186,7 @@ void TipFootprint::draw_cells(const StampPlan& plan, float cell_m) {
   const float texels = cell_m / plan.pose.diameter_m * static_cast<float>(size_);
   const float box = std::sqrt(std::max(0.0f, texels * texels - 3));
   margin_ = kRim + 1 + static_cast<int>(std::ceil(box)) + 1;
-  width_ = size_ + 2 * margin_;
+  width_ = std::max(size_, kTogether) + 2 * margin_;
   make_room(still_, width_);
   make_room(map_, width_);
   find_halves(plan.extent, box, box);

@@ -4,6 +4,7 @@
 // gets in each cell what a fine canvas gets in the same place.
 
 #include <span>
+#include <vector>
 
 #include "core/base/field.h"
 #include "core/brush/stamp_plan.h"
@@ -52,6 +53,7 @@ class TipFootprint {
   float half_u_ = 0, half_v_ = 0;  // texels from the middle; beyond them all is zero
   Field<float> still_;             // the tip unmoved
   Field<float> map_;
+  std::vector<float> box_weight_;
 };
 
 }  // namespace pentimento

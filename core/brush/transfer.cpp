@@ -234,6 +234,7 @@ void Transfer::prepare(const FootprintBox& box, int stride) {
   grow(row_paint_, rows * parts_);
   grow(row_, rows);
   grow(touched_, rows);
+  grow(tip_row_, rows);
   contact_.touch_rows(box.y, box.y + box.height);
 }
 
@@ -260,6 +261,7 @@ void Transfer::measure_rows(const StampPlan& plan, int begin, int end) {
   for (int y = begin; y < end; ++y) {
     const int canvas_y = plan.box.y + y;
     const TipRow tip = tip_row(plan.pose, plan.box, state_.geometry, canvas_y);
+    tip_row_[static_cast<std::size_t>(y)] = tip;
     const std::size_t at = static_cast<std::size_t>(y) * static_cast<std::size_t>(plan.box.width);
     const float* base = state_.base_m.row(canvas_y) + plan.box.x;
     const float* depth = state_.depth_m.row(canvas_y) + plan.box.x;
@@ -315,7 +317,7 @@ void Transfer::pick_up_rows(const StampPlan& plan, int begin, int end) {
     float* depth = state_.depth_m.row(strip.y) + strip.x;
     double share = 0;
     const bool scrapes = plan.scrape_frac > 0;
-    const TipRow tip = tip_row(plan.pose, plan.box, state_.geometry, strip.y);
+    const TipRow& tip = tip_row_[static_cast<std::size_t>(y)];
     const int first = strip.x - plan.box.x;
     for (std::size_t i = 0; i < strip.cells; ++i) {
       const std::size_t at = strip.at + i;
@@ -353,8 +355,9 @@ void Transfer::pick_up_and_refill(const StampPlan& plan, const BrushInHand& hand
 void Transfer::deposit_rows(const StampPlan& plan, int begin, int end) {
   for (int y = begin; y < end; ++y) {
     const TouchedRun strip = strip_of(plan, y);
-    const TipRow tip = tip_row(plan.pose, plan.box, state_.geometry, strip.y);
+    const TipRow& tip = tip_row_[static_cast<std::size_t>(y)];
     float* paint = strip_paint(plan, strip);
+    plan.reservoir->sample_row(tip, strip.x - plan.box.x, static_cast<int>(strip.cells), paint);
     double returned = 0;
     for (std::size_t i = 0; i < strip.cells; ++i, paint += plan.stride) {
       const float share = share_[strip.at + i] * plan.share_scale;
@@ -362,8 +365,6 @@ void Transfer::deposit_rows(const StampPlan& plan, int begin, int end) {
         std::fill_n(paint, plan.stride, 0.0f);
         continue;
       }
-      const int x = strip.x - plan.box.x + static_cast<int>(i);
-      plan.reservoir->sample(tip.u(x), tip.v(x), paint);
       const float volume = plan.load->volume_of(paint);
       const DepositedVolume deposited = stamp_deposited(plan, volume, weight_[strip.at + i], share);
       for (int k = 0; k < plan.stride; ++k) paint[k] *= deposited.part;
@@ -376,7 +377,7 @@ void Transfer::deposit_rows(const StampPlan& plan, int begin, int end) {
                 strip_sums(y));
     mix_layers_row(plan.mix, row, {hold_.data() + strip.at, strip.cells});
     touch_row(
-        plan, strip.y,
+        plan, tip, strip.y,
         {weight_.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(plan.box.width),
          static_cast<std::size_t>(plan.box.width)});
   }
@@ -421,21 +422,25 @@ void Transfer::add_to(const StampPlan& plan, PaintFlow& flow) {
 }
 
 /// Footprint, velocity (R17) and push of one row.
-void Transfer::touch_row(const StampPlan& plan, int y, std::span<const float> weight) {
-  const TipRow tip = tip_row(plan.pose, plan.box, state_.geometry, y);
+void Transfer::touch_row(const StampPlan& plan, const TipRow& tip, int y,
+                         std::span<const float> weight) {
   const Stamp& stamp = plan.stamp;
+  const int first = plan.box.x;
+  float* touched = contact_.weight.row(y) + first;
+  float* velocity_x = contact_.velocity_x_m_s.row(y) + first;
+  float* velocity_y = contact_.velocity_y_m_s.row(y) + first;
   for (std::size_t i = 0; i < weight.size(); ++i) {
-    const int x = plan.box.x + static_cast<int>(i);
-    if (weight[i] > 0) {
-      contact_.weight(x, y) = std::max(contact_.weight(x, y), std::min(1.0f, weight[i]));
-      contact_.velocity_x_m_s(x, y) = stamp.velocity_m_s.x;
-      contact_.velocity_y_m_s(x, y) = stamp.velocity_m_s.y;
-    }
-    const float push = stamp_push_m(plan, tip.u(static_cast<int>(i)), tip.v(static_cast<int>(i)));
-    if (push > 0) {
-      contact_.push_x_m(x, y) += push * stamp.direction.x;
-      contact_.push_y_m(x, y) += push * stamp.direction.y;
-    }
+    if (!(weight[i] > 0)) continue;
+    touched[i] = std::max(touched[i], std::min(1.0f, weight[i]));
+    velocity_x[i] = stamp.velocity_m_s.x;
+    velocity_y[i] = stamp.velocity_m_s.y;
+  }
+  float* __restrict push_x = contact_.push_x_m.row(y) + first;
+  float* __restrict push_y = contact_.push_y_m.row(y) + first;
+  for (int i = 0; i < static_cast<int>(weight.size()); ++i) {
+    const float push = stamp_push_m(plan, tip.u(i), tip.v(i));
+    push_x[i] += push * stamp.direction.x;
+    push_y[i] += push * stamp.direction.y;
   }
 }
 

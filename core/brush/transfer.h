@@ -85,7 +85,7 @@ class Transfer {
   void pick_up_and_refill(const StampPlan& plan, const BrushInHand& hand, Reservoir& reservoir);
   void return_surplus(const StampPlan& plan, const BrushInHand& hand, Reservoir& reservoir);
   void add_to(const StampPlan& plan, PaintFlow& flow);
-  void touch_row(const StampPlan& plan, int y, std::span<const float> weight);
+  void touch_row(const StampPlan& plan, const TipRow& tip, int y, std::span<const float> weight);
 
   CanvasState& state_;
   BrushContact& contact_;
@@ -106,6 +106,7 @@ class Transfer {
   std::vector<double> paint_sum_;
   std::vector<RowSums> row_;
   std::vector<TouchedCells> touched_;  // per row
+  std::vector<TipRow> tip_row_;        // where its cells lie on the tip
 };
 
 }  // namespace pentimento

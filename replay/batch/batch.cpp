@@ -131,9 +131,12 @@ Result<void> BatchRun::settle(std::size_t index, const JobResult& result,
   }
   const BatchRow& before = rows_[index];
   if (before.kind == RowKind::kNotDeterministic) row = before;  // a later turn does not mend it
-  if (const std::optional<BatchRow> last = run_.row(row.id))
+  if (const std::optional<BatchRow> last = run_.row(row.id)) {
     row.last_wall_s =
         last->key == row.key ? last->last_wall_s : std::optional<double>(last->result.done.wall_s);
+    // That a job gave two results stays true when a later batch finds one of them.
+    if (last->key == row.key && last->kind == RowKind::kNotDeterministic) row = *last;
+  }
   if (before.id.empty()) ++done_;
   if (!row.passed() && before.id.empty())
     control_.warning(fmt::format("{}: {}", row.id, row.reasons.front()));

@@ -69,9 +69,9 @@ def wrong_with(change, sound, folder):
                 for threads in THREADS]
     if any(verdict != verdicts[0] for verdict in verdicts):
         return "the verdict depends on the number of threads"
-    found = verdicts[0]
-    if found["equal"]:
+    if verdicts[0]["equal"]:
         return "verify saw nothing"
+    found = verdicts[0]["difference"]
     step = found["step"]
     print(f"{change.file}: {change.replace} ({change.about})\n  step {step}, line {found['line']} ({found['event']}), "
           f"{', '.join(found['fields'])}, {len(found['tiles'])} tiles", flush=True)

@@ -60,6 +60,11 @@ TEST(Batch, TwoHashesOfOneKeyAreAnErrorOfTheirOwn) {
   EXPECT_EQ(summary.rendered, 6);
   EXPECT_TRUE(MadeBatch::row(summary, "same").passed());
   EXPECT_EQ(MadeBatch::row(summary, "never the same").kind, RowKind::kNotDeterministic);
+  batch.request.repeat = 1;
+  const BatchSummary again = batch.run();
+  EXPECT_EQ(again.rendered, 0);
+  EXPECT_EQ(MadeBatch::row(again, "never the same").kind, RowKind::kNotDeterministic)
+      << "a rerun does not hide it";
 }
 
 TEST(Batch, EachShardDoesItsPartAndTheManifestIsWhole) {
