@@ -23,7 +23,7 @@ ASK_ZSH = r"""
 zmodload zsh/zpty
 zpty shell 'zsh -f -i'
 send() { zpty -w shell "$1" }
-send 'PROMPT= RPROMPT=; fpath=('"$1"' $fpath); autoload -Uz compinit; compinit -D -u -d /dev/null'
+send 'PROMPT= RPROMPT=; fpath=('"$1"' $fpath); autoload -Uz compinit; compinit -D -u'
 send 'zstyle ":completion:*" list-prompt ""; LISTMAX=10000; bindkey "^I" list-choices; print RE''ADY'
 while zpty -r shell line; do [[ $line = *READY* ]] && break; done
 zpty -w -n shell "$2"$'\t'
