@@ -1,7 +1,10 @@
 #include <fmt/format.h>
 #include <hdf5.h>
 
+#include <algorithm>
+
 #include "formats/hdf5/handle.h"
+#include "formats/hdf5/objects.h"
 #include "formats/hdf5/read_small.h"
 #include "formats/hdf5/rehearsal.h"
 #include "formats/hdf5/state_dump.h"
@@ -24,8 +27,8 @@ Provenance whole_checkpoint(hid_t file, hid_t root) {
   for (const char* name : {"canvas_width_m", "canvas_height_m", "time_s", "steps_per_second"})
     if (const auto value = hdf5::number_attribute(root, name))
       checkpoint.emplace_back(name, number_text(*value));
-  if (H5Lexists(file, "/provenance", H5P_DEFAULT) <= 0) return checkpoint;
-  const hdf5::Handle group(H5Gopen2(file, "/provenance", H5P_DEFAULT), H5Gclose);
+  const hdf5::Handle group = hdf5::open_group(file, "/provenance");
+  if (!group.ok()) return checkpoint;
   for (const auto& [key, value] : hdf5::text_attributes(group.id()))
     if (provenance_value(checkpoint, key).empty()) checkpoint.emplace_back(key, value);
   return checkpoint;
@@ -39,7 +42,8 @@ Result<FileDescription> describe_here(const std::string& path) {
   if (hdf5::text_attribute(root.id(), "format") != kStateFormat)
     return Error{ErrorCode::kBadInput, path + ": an HDF5 file, but not a state dump"};
   const auto shape = hdf5::dataset_shape(file.id(), "/layers/pigment");
-  if (!shape || shape->size() != 4)
+  constexpr std::uint64_t kMost = std::uint64_t{1} << 30;
+  if (!shape || shape->size() != 4 || *std::max_element(shape->begin(), shape->end()) > kMost)
     return Error{ErrorCode::kBadInput, path + ": /layers/pigment is missing or malformed"};
   FileDescription out;
   out.format = "hdf5";
@@ -53,7 +57,13 @@ Result<FileDescription> describe_here(const std::string& path) {
 }  // namespace
 
 Result<FileDescription> describe_state(const std::string& path) {
-  const Result<bool> survived = hdf5::rehearse(path, [&] { return describe_here(path).ok(); });
+  const Result<void> survived =
+      hdf5::rehearse(path, nullptr, [&](const hdf5::Rehearsal&) -> Result<void> {
+        hdf5::load_no_filters();
+        const Result<FileDescription> described = describe_here(path);
+        if (!described) return described.error();
+        return {};
+      });
   if (!survived) return survived.error();
   return describe_here(path);
 }

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "formats/hdf5/chunked.h"
+#include "formats/hdf5/objects.h"
 #include "formats/hdf5/read_small.h"
 #include "formats/hdf5/write_small.h"
 #include "formats/io/sha256.h"
@@ -111,6 +112,19 @@ bool restore_released(const std::vector<double>& values, const CanvasGeometry& g
   return true;
 }
 
+/// Whether all columns but the number of steps are flags.
+bool right_tiles(const DetailCheckpoint& checkpoint, std::uint64_t columns) {
+  for (std::size_t i = 0; i < checkpoint.tile.size(); ++i)
+    if (i % columns != kCheckpointRest && checkpoint.tile[i] > 1) return false;
+  return true;
+}
+
+std::uint64_t bytes_of(const Shape& shape) {
+  std::uint64_t bytes = sizeof(std::uint32_t);
+  for (const std::uint64_t n : shape) bytes *= n;
+  return bytes;
+}
+
 /// Whether all layers go to layers that exist.
 bool right_layers(const DetailCheckpoint& checkpoint, int layers) {
   const auto right = [&](std::uint32_t bits) {
@@ -141,12 +155,17 @@ bool write_checkpoint(hid_t file, const DetailCheckpoint& checkpoint, const Chec
 
 Result<std::optional<DetailCheckpoint>> read_checkpoint(const CanvasGroup& from,
                                                         const CheckpointedCanvas& of) {
-  if (H5Lexists(from.file, kGroup, H5P_DEFAULT) <= 0) return std::optional<DetailCheckpoint>();
+  if (lacks(from.file, kGroup)) return std::optional<DetailCheckpoint>();
   const auto bad = [&](const std::string& what) {
     return Error{ErrorCode::kBadInput, from.path + ": " + what};
   };
   DetailCheckpoint checkpoint;
   for (const Table& table : tables_of(of)) {
+    const std::string problem = dataset_problem(from.file, table.name);
+    if (!problem.empty()) return bad(problem);
+    // The values, and a copy while they are hashed.
+    from.rehearsal.expect(bytes_of(table.shape), 2 * bytes_of(table.shape));
+    if (Result<void> go = from.go_on(); !go) return go.error();
     auto values = read_words(from.file, table.name, table.shape);
     if (!values) return bad(fmt::format("{} is missing or malformed", table.name));
     checkpoint.*table.values = std::move(*values);
@@ -162,7 +181,9 @@ Result<std::optional<DetailCheckpoint>> read_checkpoint(const CanvasGroup& from,
     return bad(fmt::format("{} names a cell that there is not", kLeft));
   if (!right_layers(checkpoint, of.guide.layers))
     return bad("/detail/block names a layer that there is not");
-  const Handle group(H5Gopen2(from.file, kGroup, H5P_DEFAULT), H5Gclose);
+  if (!right_tiles(checkpoint, tables_of(of).front().shape[1]))
+    return bad("/detail/tile has a flag that is neither 0 nor 1");
+  const Handle group = open_group(from.file, kGroup);
   const std::string said = text_attribute(group.id(), "sha256").value_or("nothing");
   const std::string hash = hash_of(checkpoint, of);
   if (hash != said) return bad("/detail has the hash " + hash + ", it says " + said);

@@ -7,6 +7,8 @@
 #include <cstring>
 #include <string_view>
 
+#include "formats/hdf5/objects.h"
+
 namespace pentimento::hdf5 {
 
 namespace {
@@ -57,7 +59,7 @@ Result<std::shared_ptr<const DumpSource>> DumpSource::open(const std::string& pa
   const Silence silence;
   source->file_ = Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
   for (const CanvasDataset& what : kCanvasDatasets) {
-    source->datasets_.emplace_back(H5Dopen2(source->file_.id(), what.name, H5P_DEFAULT), H5Dclose);
+    source->datasets_.push_back(open_dataset(source->file_.id(), what.name));
     if (!source->datasets_.back().ok())
       return Error{ErrorCode::kBadInput, fmt::format("{}: {} cannot be read", path, what.name)};
   }
@@ -118,13 +120,10 @@ const DumpSource::ReadTile& DumpSource::tile(const Key& key) const {
   ReadTile made;
   const CanvasDataset& what = kCanvasDatasets[std::get<0>(key)];
   const bool read = load(key, made.values);
-  const bool finite = what.is_integer || std::all_of(made.values.begin(), made.values.end(),
-                                                     [](auto bits) { return is_finite(bits); });
-  if (!read || !finite) {
+  const std::string problem = read ? value_problem(what, made.values) : "cannot be read";
+  if (!problem.empty()) {
     if (!problem_)
-      problem_ = Error{ErrorCode::kBadInput,
-                       fmt::format("{}: {} {}", path_, what.name,
-                                   read ? "has a value that is not finite" : "cannot be read")};
+      problem_ = Error{ErrorCode::kBadInput, fmt::format("{}: {} {}", path_, what.name, problem)};
     std::fill(made.values.begin(), made.values.end(), 0u);
   }
   ages_.push_front(key);

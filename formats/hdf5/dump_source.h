@@ -36,7 +36,8 @@ class DumpSource final : public CanvasSource {
   std::int64_t step() const override { return step_; }
   void read(PlaneId plane, int x, int y, std::span<float> out) const override;
   void read_strokes(int x, int y, std::span<std::uint32_t> out) const override;
-  /// Error for the first part that could not be read or that has a value that is not finite.
+  /// Error for the first part that could not be read or that has a value that is not finite or out
+  /// of range.
   Result<void> status() const override;
 
  private:

@@ -1,6 +1,10 @@
 #include "formats/hdf5/layout.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstring>
 #include <string_view>
 
@@ -108,6 +112,18 @@ void copy_cells(const CanvasSource& canvas, const CanvasDataset& dataset, std::i
             x, y, out);
   if (points_down(dataset))
     for (std::uint32_t& v : out) v ^= kSign;
+}
+
+std::string value_problem(const CanvasDataset& dataset, std::span<const std::uint32_t> values) {
+  if (dataset.is_integer) return {};
+  const auto wrong = std::find_if_not(values.begin(), values.end(), [&](std::uint32_t bits) {
+    const float value = std::bit_cast<float>(bits);
+    return value >= dataset.least && value <= dataset.most;
+  });
+  if (wrong == values.end()) return {};
+  const float value = std::bit_cast<float>(*wrong);
+  if (!std::isfinite(value)) return "has a value that is not finite";
+  return fmt::format("has the value {}, outside {}..{}", value, dataset.least, dataset.most);
 }
 
 void store_row(CanvasState& state, const CanvasDataset& dataset, std::int64_t row,

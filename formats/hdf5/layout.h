@@ -17,21 +17,24 @@ struct CanvasDataset {
   const char* name;
   const char* units;
   const char* long_name;
-  bool is_integer = false;  // uint32, else float32
+  // Between which all values lie, whatever is painted. The bounds are generous: they keep out what
+  // single precision and a finite run cannot hold.
+  float least = 0, most = 0;
+  bool is_integer = false;  // uint32, else float32; has no bounds
   bool is_derived = false;  // follows from others: not in the hash, not read
 };
 
 /// In the order of the hash.
 inline constexpr std::array<CanvasDataset, 9> kCanvasDatasets = {{
-    {"/fluid/depth", "m", "depth of the wet paint"},
-    {"/fluid/velocity_x", "m/s", "surface velocity to the right"},
-    {"/fluid/velocity_y", "m/s", "surface velocity upwards"},
-    {"/canvas/base", "m", "paper relief and dried paint"},
-    {"/canvas/paper", "m", "paper relief"},
-    {"/canvas/reflectance", "1", "reflectance of the dry layer, per band"},
-    {"/layers/pigment", "1", "amount of each channel in each layer, bottom layer first"},
-    {"/layers/stroke", "1", "the last stroke that touched the cell, 0 = none", true},
-    {"/fluid/height", "m", "height of the surface: base + depth", false, true},
+    {"/fluid/depth", "m", "depth of the wet paint", 0, 1e3f},
+    {"/fluid/velocity_x", "m/s", "surface velocity to the right", -1e4f, 1e4f},
+    {"/fluid/velocity_y", "m/s", "surface velocity upwards", -1e4f, 1e4f},
+    {"/canvas/base", "m", "paper relief and dried paint", -1e3f, 1e3f},
+    {"/canvas/paper", "m", "paper relief", -1e3f, 1e3f},
+    {"/canvas/reflectance", "1", "reflectance of the dry layer, per band", 0, 1.001f},
+    {"/layers/pigment", "1", "amount of each channel in each layer, bottom layer first", 0, 1e9f},
+    {"/layers/stroke", "1", "the last stroke that touched the cell, 0 = none", 0, 0, true},
+    {"/fluid/height", "m", "height of the surface: base + depth", -2e3f, 2e3f, false, true},
 }};
 
 /// The numbers from which all shapes follow.
@@ -53,11 +56,9 @@ std::int64_t row_count(const CanvasSource& canvas, const CanvasDataset& dataset)
 /// interleaved). The size of `out` is a whole number of cells.
 void copy_cells(const CanvasSource& canvas, const CanvasDataset& dataset, std::int64_t row, int x,
                 std::span<std::uint32_t> out);
-/// Whether the float with these bits is neither infinite nor NaN.
-constexpr bool is_finite(std::uint32_t bits) {
-  constexpr std::uint32_t kExponent = 0x7F800000u;
-  return (bits & kExponent) != kExponent;
-}
+/// What is wrong with values in the dump's form, as "has the value 3e+38, outside 0..1000"; empty
+/// if nothing.
+std::string value_problem(const CanvasDataset& dataset, std::span<const std::uint32_t> values);
 
 /// Copies a whole row from the dump's form into the state. Not for derived datasets.
 void store_row(CanvasState& state, const CanvasDataset& dataset, std::int64_t row,

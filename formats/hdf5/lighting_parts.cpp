@@ -5,14 +5,19 @@
 #include <optional>
 
 #include "core/optics/tone.h"
+#include "formats/hdf5/objects.h"
 #include "formats/hdf5/read_small.h"
 #include "formats/hdf5/write_small.h"
+#include "formats/log/tables/ranges.h"
 
 namespace pentimento::hdf5 {
 
 namespace {
 /// Values of a row of /lighting/more_lamps.
 constexpr std::uint64_t kLampValues = 9;
+// Beyond these a picture is not finite in single precision.
+constexpr float kFarthest = 1e6f;
+constexpr float kMostLight = 1e12f;
 
 std::vector<float> row_of(const Lamp& lamp) {
   const auto [x, y, z] = lamp.position_m.value_or(lamp.direction);
@@ -41,11 +46,27 @@ Lamp lamp_of(const double* row) {
   return lamp;
 }
 
-bool read_share(hid_t lighting, const char* name, float& member) {
+bool read_number(hid_t lighting, const char* name, const log::Range& range, float& member) {
   const std::optional<double> value = number_attribute(lighting, name);
   if (!value) return true;
   member = static_cast<float>(*value);
-  return *value >= 0 && *value <= 1;
+  return *value >= range.min && *value <= range.max;
+}
+
+/// A place or a direction: finite, and not the centre.
+bool is_somewhere(const std::array<float, 3>& place) {
+  float far = 0;
+  for (const float v : place) {
+    if (!(std::abs(v) <= kFarthest)) return false;
+    far = std::max(far, std::abs(v));
+  }
+  return far > 0;
+}
+
+bool may_shine(const Lamp& lamp) {
+  const auto fine = [](float light) { return std::abs(light) <= kMostLight; };
+  return is_somewhere(lamp.position_m.value_or(lamp.direction)) && fine(lamp.intensity) &&
+         std::all_of(lamp.color.begin(), lamp.color.end(), fine);
 }
 }  // namespace
 
@@ -76,28 +97,28 @@ bool write_lamps(hid_t file, const std::vector<Lamp>& lamps) {
 }
 
 bool read_lamps(hid_t file, std::vector<Lamp>& lamps) {
-  if (has_dataset(file, "/lighting/lamp_position")) {
+  if (!lacks(file, "/lighting/lamp_position")) {
     const auto place = read_doubles(file, "/lighting/lamp_position", {3});
     if (!place) return false;
     lamps.front().position_m = {static_cast<float>((*place)[0]), static_cast<float>((*place)[1]),
                                 static_cast<float>((*place)[2])};
   }
-  if (!has_dataset(file, "/lighting/more_lamps")) return true;
+  if (lacks(file, "/lighting/more_lamps")) return may_shine(lamps.front());
   const auto shape = dataset_shape(file, "/lighting/more_lamps");
   if (!shape || shape->size() != 2 || (*shape)[0] >= kMostLamps) return false;
   const auto rows = read_doubles(file, "/lighting/more_lamps", {(*shape)[0], kLampValues});
   if (!rows) return false;
   for (std::size_t i = 0; i < rows->size(); i += kLampValues)
     lamps.push_back(lamp_of(rows->data() + i));
-  return true;
+  return std::all_of(lamps.begin(), lamps.end(), may_shine);
 }
 
 bool read_development(hid_t lighting, Lighting& light) {
-  if (!read_share(lighting, "varnish", light.varnish)) return false;
-  if (!read_share(lighting, "occlusion", light.occlusion)) return false;
-  if (!read_share(lighting, "white_x", light.white_xy[0])) return false;
-  if (!read_share(lighting, "white_y", light.white_xy[1])) return false;
-  if (!(light.white_xy[1] > 0)) return false;
+  using namespace log;
+  if (!read_number(lighting, "varnish", kUnitRange, light.varnish)) return false;
+  if (!read_number(lighting, "occlusion", kUnitRange, light.occlusion)) return false;
+  if (!read_number(lighting, "white_x", kChromaticityRange, light.white_xy[0])) return false;
+  if (!read_number(lighting, "white_y", kChromaticityRange, light.white_xy[1])) return false;
   const std::optional<std::string> name = text_attribute(lighting, "tone_curve");
   if (!name) return true;
   const std::optional<ToneCurve> curve = tone_curve_of(*name);

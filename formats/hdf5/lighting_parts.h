@@ -15,7 +15,7 @@ namespace pentimento::hdf5 {
 /// more than one. False if HDF5 failed.
 bool write_lamps(hid_t file, const std::vector<Lamp>& lamps);
 /// Reads what write_lamps() wrote. The first lamp must be in `lamps` already. False: datasets of a
-/// wrong shape.
+/// wrong shape, or a lamp with which no picture can be shaded.
 bool read_lamps(hid_t file, std::vector<Lamp>& lamps);
 
 /// Reads varnish, occlusion, white point and tone curve. False: a value with which no picture can

@@ -3,24 +3,34 @@
 
 #include <hdf5.h>
 
+#include <atomic>
 #include <string>
 
 #include "core/base/result.h"
 #include "core/canvas/canvas_state.h"
 #include "formats/hdf5/layout.h"
+#include "formats/hdf5/rehearsal.h"
 
 namespace pentimento::hdf5 {
 
-/// Where a canvas lies: an open file, the file's name for messages, and the group that holds the
-/// canvas's groups, "" for the root.
-struct CanvasGroup {
+/// A dump that is read: an open file, the file's name for messages, and what may end the reading.
+struct DumpFile {
   hid_t file;
   const std::string& path;
+  const Rehearsal& rehearsal;
+  const std::atomic<bool>* cancelled;  // nullptr: nothing
+  /// Ok, or kInterrupted.
+  Result<void> go_on() const;
+};
+
+/// Where a canvas lies: the group that holds the canvas's groups, "" for the root.
+struct CanvasGroup : DumpFile {
   std::string group;
 };
 
-/// The measures of the canvas, its datasets checked against each other. Errors: kBadInput (missing,
-/// wrong rank, shapes that do not fit), kLimit (beyond the limits).
+/// The measures of the canvas, its datasets checked against each other and against the size of the
+/// file. Errors: kBadInput (missing, must not be read, wrong rank, shapes that do not fit), kLimit
+/// (beyond the limits).
 struct ShapeLimits {
   std::uint64_t side, cells, values;
 };
@@ -30,11 +40,17 @@ Result<CanvasShape> canvas_shape(const CanvasGroup& from, const ShapeLimits& lim
 /// 65536 cells a side, 2^28 cells and 2^32 values. Errors: as canvas_shape.
 Result<CanvasState> empty_canvas(const CanvasGroup& from);
 
-/// Fills the dataset's planes. Errors: kBadInput (cannot be read, a value that is not finite).
+/// Fills the dataset's planes. Errors: kBadInput (cannot be read, a value that is not finite or out
+/// of range), kInterrupted.
 Result<void> read_canvas(const CanvasGroup& from, const CanvasDataset& dataset, CanvasState& state);
 
-/// Reads a (ny, nx, 3) dataset of floats into three planes.
-Result<std::array<Field<float>, 3>> read_rgb_planes(hid_t file, const std::string& path,
-                                                    const std::string& name);
+/// A picture of linear light in a dump.
+struct LightPicture {
+  const char* name;
+  std::uint64_t most_rows, most_columns, most_pixels;
+};
+/// Reads a (ny, nx, 3) dataset of floats into three planes. Errors: as read_canvas.
+Result<std::array<Field<float>, 3>> read_rgb_planes(const DumpFile& from,
+                                                    const LightPicture& picture);
 
 }  // namespace pentimento::hdf5

@@ -2,6 +2,9 @@
 
 #include <cstring>
 
+#include "formats/hdf5/objects.h"
+#include "formats/io/utf8.h"
+
 namespace pentimento::hdf5 {
 
 namespace {
@@ -24,15 +27,14 @@ std::optional<std::string> fixed_text(hid_t attribute, hid_t type) {
   if (size == 0 || size > kLongestText) return std::nullopt;
   std::string text(size, '\0');
   if (H5Aread(attribute, type, text.data()) < 0) return std::nullopt;
-  text.resize(std::strlen(text.c_str()));
-  return text;
+  return valid_utf8(text.c_str());
 }
 
 std::optional<std::string> variable_text(hid_t attribute, hid_t type) {
   char* value = nullptr;
   if (H5Aread(attribute, type, static_cast<void*>(&value)) < 0 || value == nullptr)
     return std::nullopt;
-  std::string text = value;
+  std::string text = valid_utf8(value);
   H5free_memory(value);
   return text;
 }
@@ -42,16 +44,10 @@ std::optional<T> scalar(hid_t object, const std::string& name, hid_t memory_type
   const Handle attribute = open_attribute(object, name);
   if (!attribute.ok() || !is_scalar(attribute.id())) return std::nullopt;
   const Handle type(H5Aget_type(attribute.id()), H5Tclose);
-  const H5T_class_t kind = H5Tget_class(type.id());
-  if (kind != H5T_INTEGER && kind != H5T_FLOAT) return std::nullopt;
+  if (!is_plain_number(type.id())) return std::nullopt;
   T value{};
   if (H5Aread(attribute.id(), memory_type, &value) < 0) return std::nullopt;
   return value;
-}
-
-Handle open_dataset(hid_t file, const std::string& name) {
-  if (!has_dataset(file, name)) return {};
-  return {H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose};
 }
 
 template <typename T>
@@ -60,10 +56,14 @@ std::optional<std::vector<T>> read_values(hid_t file, const std::string& name,
                                           hid_t memory_type) {
   if (dataset_shape(file, name) != shape) return std::nullopt;
   std::uint64_t count = 1;
-  for (const std::uint64_t n : shape) count *= n;
+  for (const std::uint64_t n : shape)
+    if (__builtin_mul_overflow(count, n, &count)) return std::nullopt;
+  if (!may_hold(file, count * sizeof(T))) return std::nullopt;
   std::vector<T> values(count);
   if (count == 0) return values;
   const Handle dataset = open_dataset(file, name);
+  const Handle type(H5Dget_type(dataset.id()), H5Tclose);
+  if (!is_plain_number(type.id())) return std::nullopt;
   if (H5Dread(dataset.id(), memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0)
     return std::nullopt;
   return values;
@@ -100,14 +100,6 @@ Provenance text_attributes(hid_t object) {
   return found;
 }
 
-bool has_dataset(hid_t file, const std::string& name) {
-  // Each step of the path must exist before the next is asked for.
-  for (std::size_t slash = name.find('/', 1); slash != std::string::npos;
-       slash = name.find('/', slash + 1))
-    if (H5Lexists(file, name.substr(0, slash).c_str(), H5P_DEFAULT) <= 0) return false;
-  return H5Lexists(file, name.c_str(), H5P_DEFAULT) > 0;
-}
-
 std::optional<std::vector<std::uint64_t>> dataset_shape(hid_t file, const std::string& name) {
   const Handle dataset = open_dataset(file, name);
   if (!dataset.ok()) return std::nullopt;
@@ -138,11 +130,16 @@ std::optional<std::vector<std::string>> read_strings(hid_t file, const std::stri
   if (H5Tis_variable_str(type.id()) <= 0) return std::nullopt;
   std::vector<char*> pointers(shape->front(), nullptr);
   if (pointers.empty()) return std::vector<std::string>();
+  // Many names may lie in the same few bytes of the file.
+  const Handle space(H5Dget_space(dataset.id()), H5Sclose);
+  hsize_t bytes = 0;
+  if (H5Dvlen_get_buf_size(dataset.id(), type.id(), space.id(), &bytes) < 0 || bytes > kLongestText)
+    return std::nullopt;
   if (H5Dread(dataset.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, pointers.data()) < 0)
     return std::nullopt;
   std::vector<std::string> texts;
   for (char* text : pointers) {
-    texts.emplace_back(text == nullptr ? "" : text);
+    texts.push_back(valid_utf8(text == nullptr ? "" : text));
     if (text != nullptr) H5free_memory(text);
   }
   return texts;

@@ -14,6 +14,7 @@
 
 namespace pentimento::hdf5 {
 
+/// Text that is no UTF-8 is mended.
 std::optional<std::string> text_attribute(hid_t object, const std::string& name);
 std::optional<double> number_attribute(hid_t object, const std::string& name);
 std::optional<std::int64_t> whole_attribute(hid_t object, const std::string& name);
@@ -21,8 +22,7 @@ std::optional<std::int64_t> whole_attribute(hid_t object, const std::string& nam
 /// All attributes of `object` that are text, by name.
 Provenance text_attributes(hid_t object);
 
-bool has_dataset(hid_t file, const std::string& name);
-/// The dataset's shape; nothing if there is no such dataset.
+/// The dataset's shape; nothing if there is no such dataset, or one that must not be read.
 std::optional<std::vector<std::uint64_t>> dataset_shape(hid_t file, const std::string& name);
 
 /// The values of a dataset of exactly this shape; nullopt if there is none.
@@ -31,7 +31,8 @@ std::optional<std::vector<double>> read_doubles(hid_t file, const std::string& n
 /// The same for whole numbers.
 std::optional<std::vector<std::uint32_t>> read_words(hid_t file, const std::string& name,
                                                      const std::vector<std::uint64_t>& shape);
-/// A list of at most `most` strings; nullopt if there is none.
+/// A list of at most `most` strings, of 16 MiB together; nullopt if there is none. Text that is no
+/// UTF-8 is mended.
 std::optional<std::vector<std::string>> read_strings(hid_t file, const std::string& name,
                                                      std::size_t most);
 

@@ -4,23 +4,25 @@
 #include <hdf5.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstdio>
-#include <cstring>
 #include <string_view>
+#include <tuple>
+#include <utility>
 
 #include "formats/hdf5/detail_checkpoint.h"
 #include "formats/hdf5/dump_source.h"
 #include "formats/hdf5/handle.h"
 #include "formats/hdf5/layout.h"
 #include "formats/hdf5/lighting_parts.h"
+#include "formats/hdf5/objects.h"
 #include "formats/hdf5/read_canvas.h"
 #include "formats/hdf5/read_small.h"
 #include "formats/hdf5/rehearsal.h"
 #include "formats/hdf5/sleep.h"
 #include "formats/hdf5/state_dump.h"
+#include "formats/io/regular_file.h"
 #include "formats/log/tables/model_fields.h"
+#include "formats/log/tables/ranges.h"
 
 namespace pentimento {
 
@@ -33,13 +35,40 @@ constexpr std::int64_t kMostDetail = 32;
 constexpr std::size_t kCacheBytes = std::size_t{256} << 20;
 // The detail canvas is never held whole.
 constexpr hdf5::ShapeLimits kFineLimits = {1 << 20, std::uint64_t{1} << 38, std::uint64_t{1} << 44};
-constexpr std::string_view kSignature = "\x89HDF\r\n\x1A\n";
+
+// Beyond these, numbers of a run or of a picture are not finite in single precision.
+constexpr log::Range kStepRange = {0, log::kMaxExactInteger};
+constexpr log::Range kTimeRange = {0, log::kMaxExactInteger, "s"};
+constexpr log::Range kCoefficientRange = {0, 1e9};
+constexpr log::Range kLightRange = {-1e12, 1e12};
+// Microfacets of roughness 0 reflect nothing but the mirror's ray.
+constexpr log::Range kRoughnessRange = {1e-3, 1};
+constexpr log::Range kIndexRange = {1, 10};
+constexpr log::Range kReliefScaleRange = {0, 1e3};
+
+// A camera's picture is one that read_image() would read; a probe is made no larger.
+constexpr hdf5::LightPicture kReflection = {"/lighting/reflection", 65536, 65536, 1 << 27};
+constexpr hdf5::LightPicture kProbe = {"/lighting/probe", 256, 512, 256 * 512};
+
+/// All values of a detail canvas.
+std::uint64_t fine_bytes(const hdf5::CanvasShape& shape) {
+  std::uint64_t bytes = 0;
+  for (const hdf5::CanvasDataset& dataset : hdf5::kCanvasDatasets) {
+    std::uint64_t values = sizeof(float);
+    for (const std::uint64_t n : hdf5::shape_of(shape, dataset)) values *= n;
+    bytes += values;
+  }
+  return bytes;
+}
 
 /// Reads a dump; the first thing that is wrong ends it.
 class StateReader {
  public:
-  StateReader(const std::string& path, hid_t file)
-      : path_(path), file_(file), root_(H5Gopen2(file, "/", H5P_DEFAULT), H5Gclose) {}
+  explicit StateReader(const hdf5::DumpFile& from)
+      : from_(from),
+        path_(from.path),
+        file_(from.file),
+        root_(H5Gopen2(from.file, "/", H5P_DEFAULT), H5Gclose) {}
 
   Result<StateDump> read();
   /// Checks that the detail canvas has the hash that the dump names.
@@ -48,6 +77,14 @@ class StateReader {
  private:
   Error bad(const std::string& what) const { return {ErrorCode::kBadInput, path_ + ": " + what}; }
   Error missing(const std::string& what) const { return bad(what + " is missing or malformed"); }
+  /// Of a dataset that was not got: why.
+  Error no_dataset(const std::string& name) const;
+  Error outside(const std::string& name, double value, const log::Range& range) const;
+  /// The values of a dataset of this shape, all in the range.
+  Result<std::vector<double>> numbers(const std::string& name,
+                                      const std::vector<std::uint64_t>& shape,
+                                      const log::Range& range) const;
+  Result<std::vector<std::string>> names(const std::string& name) const;
   Result<void> check_format() const;
   Result<void> read_root(StateDump& dump) const;
   Result<void> read_model(Model& model) const;
@@ -59,10 +96,42 @@ class StateReader {
   Result<void> read_guide(StateDump& dump, const hdf5::CanvasGroup& from) const;
   Result<void> open_fine(StateDump& dump) const;
 
+  const hdf5::DumpFile& from_;
   const std::string& path_;
   hid_t file_;
   Handle root_;
 };
+
+Error StateReader::no_dataset(const std::string& name) const {
+  const std::string problem = hdf5::dataset_problem(file_, name);
+  return problem.empty() ? missing(name) : bad(problem);
+}
+
+Error StateReader::outside(const std::string& name, double value, const log::Range& range) const {
+  if (!std::isfinite(value)) return bad(name + " has a value that is not finite");
+  return bad(fmt::format("{} has the value {}, outside {}..{}", name, value, range.min, range.max));
+}
+
+Result<std::vector<double>> StateReader::numbers(const std::string& name,
+                                                 const std::vector<std::uint64_t>& shape,
+                                                 const log::Range& range) const {
+  auto values = hdf5::read_doubles(file_, name, shape);
+  if (!values) return no_dataset(name);
+  for (const double value : *values)
+    if (!(value >= range.min && value <= range.max)) return outside(name, value, range);
+  return std::move(*values);
+}
+
+/// No two are alike.
+Result<std::vector<std::string>> StateReader::names(const std::string& name) const {
+  auto names = hdf5::read_strings(file_, name, kMostNames);
+  if (!names) return no_dataset(name);
+  std::vector<std::string> sorted = *names;
+  std::sort(sorted.begin(), sorted.end());
+  const auto twin = std::adjacent_find(sorted.begin(), sorted.end());
+  if (twin != sorted.end()) return bad(fmt::format("{} has \"{}\" twice", name, *twin));
+  return std::move(*names);
+}
 
 Result<void> StateReader::check_format() const {
   if (hdf5::text_attribute(root_.id(), "format") != kStateFormat)
@@ -83,11 +152,17 @@ Result<void> StateReader::read_root(StateDump& dump) const {
   const auto rate = hdf5::number_attribute(root_.id(), "steps_per_second");
   const auto hash = hdf5::text_attribute(root_.id(), "state_sha256");
   const auto guide = hdf5::text_attribute(root_.id(), "guide_sha256");
-  if (!width || !(*width > 0)) return missing("canvas_width_m");
-  if (!height || !(*height > 0)) return missing("canvas_height_m");
-  if (!step || *step < 0) return missing("step");
-  if (!time) return missing("time_s");
-  if (!rate || !(*rate > 0)) return missing("steps_per_second");
+  const std::pair<const char*, std::pair<std::optional<double>, log::Range>> numbers[] = {
+      {"canvas_width_m", {width, log::kCanvasRange}},
+      {"canvas_height_m", {height, log::kCanvasRange}},
+      {"step", {step, kStepRange}},
+      {"time_s", {time, kTimeRange}},
+      {"steps_per_second", {rate, log::kStepsPerSecondRange}}};
+  for (const auto& [name, number] : numbers) {
+    const auto& [value, range] = number;
+    if (!value) return missing(name);
+    if (!(*value >= range.min && *value <= range.max)) return outside(name, *value, range);
+  }
   if (!hash) return missing("state_sha256");
   if (!guide && dump.detail > 1) return missing("guide_sha256");
   dump.state.geometry.width_m = *width;
@@ -116,22 +191,25 @@ Result<void> StateReader::read_model(Model& model) const {
     if (!problem.empty()) return bad(problem);
     log::set_model_value(field, model, *value);
   }
+  const std::string problem = log::model_problem(model);
+  if (!problem.empty()) return bad(problem);
   return {};
 }
 
 Result<void> StateReader::read_basis(StateDump& dump) const {
-  const auto names = hdf5::read_strings(file_, "/layers/channel", kMostNames);
+  const auto names = this->names("/layers/channel");
+  if (!names) return names.error();
   const auto channels = static_cast<std::uint64_t>(dump.state.channels);
   const auto bands = static_cast<std::uint64_t>(dump.state.bands);
-  if (!names || names->size() != channels) return missing("/layers/channel");
-  const auto K = hdf5::read_doubles(file_, "/layers/K", {bands, channels});
-  const auto S = hdf5::read_doubles(file_, "/layers/S", {bands, channels});
-  const auto amount = hdf5::read_doubles(file_, "/layers/amount", {channels});
-  const auto load = hdf5::read_doubles(file_, "/layers/load", {channels, dump.palette.size()});
-  if (!K) return missing("/layers/K");
-  if (!S) return missing("/layers/S");
-  if (!amount) return missing("/layers/amount");
-  if (!load) return missing("/layers/load");
+  if (names->size() != channels) return missing("/layers/channel");
+  const auto K = numbers("/layers/K", {bands, channels}, kCoefficientRange);
+  if (!K) return K.error();
+  const auto S = numbers("/layers/S", {bands, channels}, kCoefficientRange);
+  if (!S) return S.error();
+  const auto amount = numbers("/layers/amount", {channels}, kCoefficientRange);
+  if (!amount) return amount.error();
+  const auto load = numbers("/layers/load", {channels, dump.palette.size()}, kCoefficientRange);
+  if (!load) return load.error();
   using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   const auto matrix = [](const std::vector<double>& values, std::uint64_t rows,
                          std::uint64_t columns) {
@@ -151,29 +229,31 @@ Result<void> StateReader::read_wavelengths(const std::vector<double>& wavelength
                                            StateDump& dump) const {
   constexpr double kDigits = 1e6;  // of a nm: the way to metres and back rounds
   const bool spectral = dump.model.optics == OpticsKind::kSpectral;
+  const int bands = spectral ? dump.model.bands : 3;
+  if (dump.state.bands != bands)
+    return bad(
+        fmt::format("/canvas/reflectance has {} bands, the model {}", dump.state.bands, bands));
   if (!spectral) return {};
   double before_nm = 0;
   for (const double m : wavelength_m) {
     const double nm = std::round(m * 1e9 * kDigits) / kDigits;
-    if (!(nm > before_nm && nm < 1e6))
+    if (!(nm > before_nm && nm <= log::kWavelengthRange.max))
       return bad(fmt::format("/palette/wavelength {} m does not rise from band to band", m));
     dump.basis.wavelength_nm.push_back(before_nm = nm);
   }
-  if (dump.state.bands == dump.model.bands) return {};
-  return bad(fmt::format("/canvas/reflectance has {} bands, the model {}", dump.state.bands,
-                         dump.model.bands));
+  return {};
 }
 
 Result<void> StateReader::read_palette(StateDump& dump) const {
-  const auto names = hdf5::read_strings(file_, "/palette/name", kMostNames);
-  if (!names) return missing("/palette/name");
+  const auto names = this->names("/palette/name");
+  if (!names) return names.error();
   const auto bands = static_cast<std::uint64_t>(dump.state.bands);
-  const auto K = hdf5::read_doubles(file_, "/palette/K", {names->size(), bands});
-  const auto S = hdf5::read_doubles(file_, "/palette/S", {names->size(), bands});
+  const auto K = numbers("/palette/K", {names->size(), bands}, kCoefficientRange);
+  if (!K) return K.error();
+  const auto S = numbers("/palette/S", {names->size(), bands}, kCoefficientRange);
+  if (!S) return S.error();
   const auto wavelength = hdf5::read_doubles(file_, "/palette/wavelength", {bands});
-  if (!K) return missing("/palette/K");
-  if (!S) return missing("/palette/S");
-  if (!wavelength) return missing("/palette/wavelength");
+  if (!wavelength) return no_dataset("/palette/wavelength");
   const auto n = static_cast<Eigen::Index>(bands);
   for (std::size_t i = 0; i < names->size(); ++i)
     dump.palette.push_back({(*names)[i], Eigen::Map<const Eigen::VectorXd>(&(*K)[i * bands], n),
@@ -182,12 +262,12 @@ Result<void> StateReader::read_palette(StateDump& dump) const {
 }
 
 Result<void> StateReader::read_lamp(Lamp& lamp, hid_t group) const {
-  const auto direction = hdf5::read_doubles(file_, "/lighting/lamp_direction", {3});
-  const auto color = hdf5::read_doubles(file_, "/lighting/lamp_color", {3});
+  const auto direction = numbers("/lighting/lamp_direction", {3}, log::kDirectionRange);
+  if (!direction) return direction.error();
+  const auto color = numbers("/lighting/lamp_color", {3}, kLightRange);
+  if (!color) return color.error();
   const auto intensity = hdf5::number_attribute(group, "lamp_intensity");
   const auto follows = hdf5::whole_attribute(group, "lamp_follows_gravity");
-  if (!direction) return missing("/lighting/lamp_direction");
-  if (!color) return missing("/lighting/lamp_color");
   if (!intensity || !follows) return missing("an attribute of /lighting");
   for (std::size_t i = 0; i < 3; ++i) {
     lamp.direction[i] = static_cast<float>((*direction)[i]);
@@ -199,36 +279,37 @@ Result<void> StateReader::read_lamp(Lamp& lamp, hid_t group) const {
 }
 
 Result<void> StateReader::read_lighting(Lighting& light) const {
-  if (H5Lexists(file_, "/lighting", H5P_DEFAULT) <= 0) return missing("/lighting");
-  const Handle group(H5Gopen2(file_, "/lighting", H5P_DEFAULT), H5Gclose);
+  const Handle group = hdf5::open_group(file_, "/lighting");
+  if (!group.ok()) return missing("/lighting");
   if (const Result<void> lamp = read_lamp(light.lamps.front(), group.id()); !lamp) return lamp;
-  if (!hdf5::read_lamps(file_, light.lamps)) return bad("/lighting: lamps of a wrong shape");
+  if (!hdf5::read_lamps(file_, light.lamps))
+    return bad("/lighting: lamps of a wrong shape, or a value out of range");
   if (!hdf5::read_development(group.id(), light))
     return bad("/lighting: an attribute out of range");
-  const auto sh = hdf5::read_doubles(file_, "/lighting/sh", {9, 3});
-  if (!sh) return missing("/lighting/sh");
+  const auto sh = numbers("/lighting/sh", {9, 3}, kLightRange);
+  if (!sh) return sh.error();
   for (std::size_t i = 0; i < sh->size(); ++i)
     light.environment.L[i / 3][i % 3] = static_cast<float>((*sh)[i]);
-  const std::pair<const char*, float*> numbers[] = {
-      {"reflection_fov_deg", &light.reflection.fov_deg},
-      {"roughness_wet", &light.roughness_wet},
-      {"roughness_dry", &light.roughness_dry},
-      {"refractive_index", &light.refractive_index},
-      {"relief_scale", &light.relief_scale},
-      {"exposure_ev", &light.exposure_ev}};
-  for (const auto& [name, member] : numbers) {
+  const std::tuple<const char*, log::Range, float*> attributes[] = {
+      {"reflection_fov_deg", log::kFovRange, &light.reflection.fov_deg},
+      {"roughness_wet", kRoughnessRange, &light.roughness_wet},
+      {"roughness_dry", kRoughnessRange, &light.roughness_dry},
+      {"refractive_index", kIndexRange, &light.refractive_index},
+      {"relief_scale", kReliefScaleRange, &light.relief_scale},
+      {"exposure_ev", log::kExposureRange, &light.exposure_ev}};
+  for (const auto& [name, range, member] : attributes) {
     const auto value = hdf5::number_attribute(group.id(), name);
     if (!value) return missing(std::string("/lighting attribute ") + name);
+    if (!(*value >= range.min && *value <= range.max)) return outside(name, *value, range);
     *member = static_cast<float>(*value);
   }
   const auto mirror = hdf5::whole_attribute(group.id(), "reflection_mirror");
   if (!mirror) return missing("/lighting attribute reflection_mirror");
   light.reflection.mirror = *mirror != 0;
-  const std::pair<const char*, std::array<Field<float>, 3>*> pictures[] = {
-      {"/lighting/reflection", &light.reflection.rgb}, {"/lighting/probe", &light.probe}};
-  for (const auto& [name, planes] : pictures) {
-    if (!hdf5::has_dataset(file_, name)) continue;
-    auto rgb = hdf5::read_rgb_planes(file_, path_, name);
+  for (const auto& [picture, planes] :
+       {std::pair{kReflection, &light.reflection.rgb}, std::pair{kProbe, &light.probe}}) {
+    if (hdf5::lacks(file_, picture.name)) continue;
+    auto rgb = hdf5::read_rgb_planes(from_, picture);
     if (!rgb) return rgb.error();
     *planes = std::move(*rgb);
   }
@@ -242,13 +323,14 @@ Result<void> StateReader::read_guide(StateDump& dump, const hdf5::CanvasGroup& f
       return filled;
   }
   if (const auto slept = hdf5::read_sleep(from, dump.model, dump.state); !slept) return slept;
-  const std::string hash = state_sha256(dump.state);
+  const std::string hash = state_sha256(dump.state, from_.cancelled);
+  if (Result<void> go = from_.go_on(); !go) return go;
   if (hash == dump.guide_sha256) return {};
   return bad("its values have the hash " + hash + ", it says " + dump.guide_sha256);
 }
 
 Result<void> StateReader::open_fine(StateDump& dump) const {
-  const Result<hdf5::CanvasShape> shape = hdf5::canvas_shape({file_, path_, ""}, kFineLimits);
+  const Result<hdf5::CanvasShape> shape = hdf5::canvas_shape({from_, ""}, kFineLimits);
   if (!shape) return shape.error();
   const CanvasState& guide = dump.state;
   const std::int64_t k = dump.detail;
@@ -258,11 +340,12 @@ Result<void> StateReader::open_fine(StateDump& dump) const {
     return bad(fmt::format("its canvas is not {} times its guide", k));
   const CanvasGeometry fine = {shape->width, shape->height, guide.geometry.width_m,
                                guide.geometry.height_m};
+  from_.rehearsal.expect(fine_bytes(*shape), 0);
   auto source = hdf5::DumpSource::open(path_, *shape, fine, guide.step, kCacheBytes);
   if (!source) return source.error();
   dump.fine = std::move(*source);
   Result<std::optional<DetailCheckpoint>> checkpoint =
-      hdf5::read_checkpoint({file_, path_, ""}, {guide, dump.detail});
+      hdf5::read_checkpoint({from_, ""}, {guide, dump.detail});
   if (!checkpoint) return checkpoint.error();
   dump.checkpoint = std::move(*checkpoint);
   return {};
@@ -270,7 +353,8 @@ Result<void> StateReader::open_fine(StateDump& dump) const {
 
 Result<void> StateReader::check_fine(const StateDump& dump) const {
   if (!dump.fine) return {};
-  const std::string hash = state_sha256(*dump.fine);
+  const std::string hash = state_sha256(*dump.fine, Threads(1), from_.cancelled);
+  if (Result<void> go = from_.go_on(); !go) return go;
   if (const Result<void> read = dump.fine->status(); !read) return read;
   if (hash == dump.state_sha256) return {};
   return bad("its values have the hash " + hash + ", it says " + dump.state_sha256);
@@ -283,7 +367,7 @@ Result<StateDump> StateReader::read() {
   if (detail < 1 || detail > kMostDetail)
     return bad(fmt::format("detail is {}, must be 1 to {}", detail, kMostDetail));
   dump.detail = static_cast<int>(detail);
-  const hdf5::CanvasGroup from = {file_, path_, detail > 1 ? "/guide" : ""};
+  const hdf5::CanvasGroup from = {from_, detail > 1 ? "/guide" : ""};
   Result<CanvasState> canvas = hdf5::empty_canvas(from);
   if (!canvas) return canvas.error();
   dump.state = std::move(*canvas);
@@ -292,10 +376,9 @@ Result<StateDump> StateReader::read() {
   if (const Result<void> palette = read_palette(dump); !palette) return palette.error();
   if (const Result<void> basis = read_basis(dump); !basis) return basis.error();
   if (const Result<void> light = read_lighting(dump.lighting); !light) return light.error();
-  if (H5Lexists(file_, "/provenance", H5P_DEFAULT) > 0) {
-    const Handle checkpoint(H5Gopen2(file_, "/provenance", H5P_DEFAULT), H5Gclose);
-    dump.provenance = hdf5::text_attributes(checkpoint.id());
-  }
+  const Handle notes = hdf5::open_group(file_, "/provenance");
+  if (!notes.ok() && !hdf5::lacks(file_, "/provenance")) return missing("/provenance");
+  if (notes.ok()) dump.provenance = hdf5::text_attributes(notes.id());
   if (const Result<void> guide = read_guide(dump, from); !guide) return guide.error();
   if (detail > 1) {
     if (const Result<void> fine = open_fine(dump); !fine) return fine.error();
@@ -303,49 +386,61 @@ Result<StateDump> StateReader::read() {
   return dump;
 }
 
-/// Error if the file cannot be opened or is not HDF5 by its first bytes.
+/// Error if the file cannot be opened, or is not HDF5 by its first bytes.
 Result<void> check_signature(const std::string& path) {
-  std::FILE* file = std::fopen(path.c_str(), "rbe");
-  if (file == nullptr)
-    return Error{ErrorCode::kIo, fmt::format("{}: {}", path, std::strerror(errno))};
-  char head[kSignature.size()];
-  const std::size_t n = std::fread(head, 1, sizeof head, file);
-  const int problem = std::ferror(file) != 0 ? errno : 0;
-  std::fclose(file);
-  if (problem != 0)
-    return Error{ErrorCode::kIo, fmt::format("{}: {}", path, std::strerror(problem))};
-  if (std::string_view(head, n) != kSignature)
-    return Error{ErrorCode::kBadInput, path + ": not an HDF5 file"};
+  const Result<bool> right = is_hdf5_file(path);
+  if (!right) return right.error();
+  if (!*right) return Error{ErrorCode::kBadInput, path + ": not an HDF5 file"};
   return {};
 }
 
 /// `whole`: the values of the detail canvas too, which are read when they are needed.
-Result<StateDump> read_here(const std::string& path, bool whole) {
+Result<StateDump> read_here(const std::string& path, bool whole, const hdf5::Rehearsal& rehearsal,
+                            const std::atomic<bool>* cancelled) {
   const hdf5::Silence silence;
   const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
   if (!file.ok()) return Error{ErrorCode::kBadInput, path + ": a damaged or cut short HDF5 file"};
-  StateReader reader(path, file.id());
+  const hdf5::DumpFile from{file.id(), path, rehearsal, cancelled};
+  StateReader reader(from);
   Result<StateDump> dump = reader.read();
   if (!dump || !whole) return dump;
   if (const Result<void> right = reader.check_fine(*dump); !right) return right.error();
   return dump;
 }
 
-}  // namespace
-
-Result<StateDump> read_state(const std::string& path) {
-  if (const Result<void> signed_file = check_signature(path); !signed_file)
-    return signed_file.error();
-  const Result<bool> right = hdf5::rehearse(path, [&] { return read_here(path, true).ok(); });
-  if (!right) return right.error();
-  // A file that was found right need not be checked again.
-  return read_here(path, !*right);
+/// Reads all of it in a child.
+Result<void> rehearse_reading(const std::string& path, const std::atomic<bool>* cancelled) {
+  return hdf5::rehearse(path, cancelled, [&](const hdf5::Rehearsal& rehearsal) -> Result<void> {
+    hdf5::load_no_filters();
+    const Result<StateDump> dump = read_here(path, true, rehearsal, nullptr);
+    if (!dump) return dump.error();
+    return {};
+  });
 }
 
-Result<void> hdf5::check_dump_file(const std::string& file, const std::string& name) {
-  const Result<bool> right = rehearse(file, [&] { return read_here(file, true).ok(); });
-  if (right && *right) return {};
-  return Error{ErrorCode::kIo, name + ": what was read back differs from what was written"};
+}  // namespace
+
+Result<bool> is_hdf5_file(const std::string& path) {
+  constexpr std::string_view kSignature = "\x89HDF\r\n\x1A\n";
+  const Result<std::string> head = first_bytes(path, kSignature.size());
+  if (!head) return head.error();
+  return *head == kSignature;
+}
+
+Result<StateDump> read_state(const std::string& path, const std::atomic<bool>* cancelled) {
+  if (const Result<void> signed_file = check_signature(path); !signed_file)
+    return signed_file.error();
+  if (const Result<void> right = rehearse_reading(path, cancelled); !right) return right.error();
+  return read_here(path, false, {}, cancelled);
+}
+
+Result<void> hdf5::check_dump_file(const std::string& file, const std::string& name,
+                                   const std::atomic<bool>* cancelled) {
+  const Result<void> right = rehearse_reading(file, cancelled);
+  if (right || right.error().code == ErrorCode::kInterrupted) return right;
+  return Error{ErrorCode::kIo,
+               fmt::format("{}: what was read back differs from what was written: {}", name,
+                           right.error().message)};
 }
 
 }  // namespace pentimento

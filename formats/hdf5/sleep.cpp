@@ -7,8 +7,10 @@
 #include <cmath>
 
 #include "core/fluid/conservative/tiles/sleep_tiles.h"
+#include "formats/hdf5/objects.h"
 #include "formats/hdf5/read_small.h"
 #include "formats/hdf5/write_small.h"
+#include "formats/log/tables/ranges.h"
 
 namespace pentimento::hdf5 {
 
@@ -50,7 +52,9 @@ bool write_sleep(hid_t file, const std::string& group, const CanvasState& state)
 Result<void> read_sleep(const CanvasGroup& from, const Model& model, CanvasState& state) {
   state.sleep.clear();
   const std::string name = from.group + kSleepName;
-  if (!has_dataset(from.file, name)) return {};
+  if (const std::string problem = dataset_problem(from.file, name); !problem.empty())
+    return Error{ErrorCode::kBadInput, from.path + ": " + problem};
+  if (lacks(from.file, name)) return {};
   const conservative::SleepTiles tiles(state.geometry, model.sleep_tile_m);
   const auto needed = sleep_shape(static_cast<std::size_t>(tiles.count()) * kSleepValues);
   const auto found = dataset_shape(from.file, name);
@@ -64,7 +68,15 @@ Result<void> read_sleep(const CanvasGroup& from, const Model& model, CanvasState
   if (!values) return bad("cannot be read");
   if (!std::all_of(values->begin(), values->end(), [](double v) { return std::isfinite(v); }))
     return bad("has a value that is not finite");
-  for (const double value : *values) state.sleep.push_back(static_cast<float>(value));
+  for (std::size_t i = 0; i < values->size(); ++i) {
+    const std::size_t column = i % kSleepValues;
+    const bool flag = column == conservative::kAsleep || column == conservative::kFeelsGravity;
+    const log::Range range = flag ? log::kUnitRange : log::kAccelerationRange;
+    const double value = (*values)[i];
+    if (value < range.min || value > range.max)
+      return bad(fmt::format("has the value {}, outside {}..{}", value, range.min, range.max));
+    state.sleep.push_back(static_cast<float>(value));
+  }
   flip(state.sleep);
   return {};
 }

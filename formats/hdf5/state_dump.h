@@ -3,6 +3,7 @@
 // and to go on. Its file appears under its name only when it is whole and has been read back
 // (OutputFile).
 
+#include <atomic>
 #include <memory>
 #include <optional>
 #include <string>
@@ -46,7 +47,8 @@ struct DumpOptions {
   int deflate_level = 1;
   Provenance provenance;
   bool no_clobber = false;
-  bool xdmf = false;  // write PATH.xdmf beside it, for ParaView
+  bool xdmf = false;                             // write PATH.xdmf beside it, for ParaView
+  const std::atomic<bool>* cancelled = nullptr;  // set from a signal handler
 };
 
 /// How a dump names itself, and the newest version known here.
@@ -56,20 +58,24 @@ inline constexpr int kStateVersion = 2;  // 2: with a detail canvas; without, 1 
 inline constexpr int kHashVersion = 1;
 
 /// SHA-256 (hex) of the state's values, as docs/state-format.md defines it: the same for any
-/// number of threads, chunking and file.
-std::string state_sha256(const CanvasState& state);
+/// number of threads, chunking and file. Once `cancelled` is set, of a part of the values only.
+std::string state_sha256(const CanvasState& state, const std::atomic<bool>* cancelled = nullptr);
 /// The same for a canvas on which nothing sleeps, from its planes alone.
-std::string state_sha256(const CanvasSource& canvas, const Threads& threads = Threads(1));
+std::string state_sha256(const CanvasSource& canvas, const Threads& threads = Threads(1),
+                         const std::atomic<bool>* cancelled = nullptr);
 
 /// Writes the dump's file whole under a temporary name; OutputFile::publish() gives it its own
-/// name. Without the .xdmf file. Errors: kIo, kLimit, kUsage.
+/// name. Without the .xdmf file. Errors: kIo, kLimit, kUsage, kInterrupted.
 Result<std::unique_ptr<OutputFile>> complete_state(const std::string& path, const StateDump& dump,
                                                    const DumpOptions& options);
 
 Result<Published> write_state(const std::string& path, const StateDump& dump,
                               const DumpOptions& options);
-/// Reads a dump. Errors: kIo; kBadInput with the reason (not a dump, newer version, wrong shape, a
-/// hash that differs).
-Result<StateDump> read_state(const std::string& path);
+/// Reads a dump. Errors: kIo; kLimit; kBadInput with the reason (not a dump, newer version, wrong
+/// shape, a value out of range, a hash that differs); kInterrupted once `cancelled` is set.
+Result<StateDump> read_state(const std::string& path, const std::atomic<bool>* cancelled = nullptr);
+/// Whether a file is HDF5 by its first bytes. Does not wait for what comes through a pipe. Errors:
+/// kIo; kBadInput if it is no file but a pipe or a device.
+Result<bool> is_hdf5_file(const std::string& path);
 
 }  // namespace pentimento

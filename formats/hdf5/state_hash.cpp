@@ -36,9 +36,10 @@ void add_sleep(const CanvasState& state, Sha256& hash) {
 class RowsAhead {
  public:
   RowsAhead(const CanvasSource& canvas, const hdf5::CanvasDataset& dataset,
-            std::size_t values_per_row)
+            std::size_t values_per_row, const std::atomic<bool>* cancelled)
       : canvas_(canvas),
         dataset_(dataset),
+        cancelled_(cancelled),
         width_(values_per_row),
         rows_(hdf5::row_count(canvas, dataset)),
         at_once_(std::max<std::int64_t>(
@@ -46,7 +47,7 @@ class RowsAhead {
 
   void add_to(Sha256& hash, const Threads& threads) {
     read(0, ready_);
-    for (std::int64_t y = 0; y < rows_; y += at_once_) {
+    for (std::int64_t y = 0; y < rows_ && !stopped(); y += at_once_) {
       threads.for_ranges(0, 2, 1, [&](int begin, int end) {
         for (int i = begin; i < end; ++i) {
           if (i == 0) {
@@ -63,6 +64,9 @@ class RowsAhead {
  private:
   static constexpr std::size_t kValuesAhead = std::size_t{1} << 18;
 
+  bool stopped() const {
+    return cancelled_ != nullptr && cancelled_->load(std::memory_order_relaxed);
+  }
   void read(std::int64_t first, std::vector<std::uint32_t>& out) const {
     const std::int64_t rows = std::clamp<std::int64_t>(rows_ - first, 0, at_once_);
     out.resize(static_cast<std::size_t>(rows) * width_);
@@ -74,12 +78,14 @@ class RowsAhead {
 
   const CanvasSource& canvas_;
   const hdf5::CanvasDataset& dataset_;
+  const std::atomic<bool>* cancelled_;
   std::size_t width_;
   std::int64_t rows_, at_once_;
   std::vector<std::uint32_t> ready_, next_;
 };
 
-void add_planes(const CanvasSource& canvas, Sha256& hash, const Threads& threads) {
+void add_planes(const CanvasSource& canvas, Sha256& hash, const Threads& threads,
+                const std::atomic<bool>* cancelled) {
   hash.update(fmt::format("{} {}\nstep {}\n", kStateFormat, kHashVersion, canvas.step()));
   const hdf5::CanvasShape shape = hdf5::shape_of(canvas);
   for (const hdf5::CanvasDataset& dataset : hdf5::kCanvasDatasets) {
@@ -88,23 +94,25 @@ void add_planes(const CanvasSource& canvas, Sha256& hash, const Threads& threads
                             fmt::join(hdf5::shape_of(shape, dataset), " ")));
     RowsAhead(canvas, dataset,
               static_cast<std::size_t>(canvas.geometry().width) *
-                  static_cast<std::size_t>(hdf5::cell_values(shape, dataset)))
+                  static_cast<std::size_t>(hdf5::cell_values(shape, dataset)),
+              cancelled)
         .add_to(hash, threads);
   }
 }
 
 }  // namespace
 
-std::string state_sha256(const CanvasState& state) {
+std::string state_sha256(const CanvasState& state, const std::atomic<bool>* cancelled) {
   Sha256 hash;
-  add_planes(StateSource(state), hash, Threads(1));
+  add_planes(StateSource(state), hash, Threads(1), cancelled);
   if (!state.sleep.empty()) add_sleep(state, hash);
   return hash.hex();
 }
 
-std::string state_sha256(const CanvasSource& canvas, const Threads& threads) {
+std::string state_sha256(const CanvasSource& canvas, const Threads& threads,
+                         const std::atomic<bool>* cancelled) {
   Sha256 hash;
-  add_planes(canvas, hash, threads);
+  add_planes(canvas, hash, threads, cancelled);
   return hash.hex();
 }
 

@@ -247,9 +247,10 @@ Result<std::unique_ptr<OutputFile>> complete_state(const std::string& path, cons
   if (const Result<void> fine = check_dump(path, dump); !fine) return fine.error();
   Hashes hashes;
   hashes.guide = state_sha256(dump.state);
-  hashes.state = !dump.fine                  ? hashes.guide
-                 : dump.state_sha256.empty() ? state_sha256(*dump.fine)
-                                             : dump.state_sha256;
+  hashes.state = !dump.fine ? hashes.guide
+                 : dump.state_sha256.empty()
+                     ? state_sha256(*dump.fine, Threads(1), options.cancelled)
+                     : dump.state_sha256;
   std::string image;
   const Error no_memory = {ErrorCode::kLimit, path + ": no memory to build the state dump"};
   if (!dump.fine && (image = file_image(dump, hashes, options)).empty()) return no_memory;
@@ -267,8 +268,9 @@ Result<std::unique_ptr<OutputFile>> complete_state(const std::string& path, cons
   if (const Result<void> written = output.status(); !written) return written.error();
   if (const Result<void> read = dump.fine->status(); !read) return read.error();
   if (!streamed) return no_memory;
-  const Result<Published> whole = output.complete(
-      [&](const std::string& temporary) { return hdf5::check_dump_file(temporary, path); });
+  const Result<Published> whole = output.complete([&](const std::string& temporary) {
+    return hdf5::check_dump_file(temporary, path, options.cancelled);
+  });
   if (!whole) return whole.error();
   return file;
 }

@@ -389,6 +389,7 @@ Result<void> OutputSet::add_states(const std::vector<PlannedOutput>& outputs, co
     options.threads = settings_.threads;
     options.provenance = provenance_of(origin, settings_.size, output.pattern);
     options.no_clobber = settings_.picture.no_clobber;
+    options.cancelled = settings_.control.cancelled;
     Result<std::unique_ptr<OutputFile>> file = complete_state(output.path, dump, options);
     if (!file) return file.error();
     const CanvasGeometry& grid = dump.fine ? dump.fine->geometry() : dump.state.geometry;
