@@ -49,8 +49,12 @@ class Replay {
         control_(control),
         watch_(watch),
         threads_(job.threads),
-        settings_{job.picture, session.size, threads_.count(), control,
-                  files_read_by(job, session.files), job.checkpoint.folder},
+        settings_{job.picture,
+                  session.size,
+                  threads_.count(),
+                  control,
+                  files_read_by(job, session.files),
+                  job.checkpoint.folder},
         outputs_(settings_, watch),
         lighting_(first_lighting(session), session.reader->header().steps_per_second) {}
 
