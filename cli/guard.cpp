@@ -22,13 +22,13 @@ int say(std::string_view line, ErrorCode code) {
   return exit_code(code);
 }
 
-struct Task {
+struct GuardedCommand {
   const std::function<int()>& command;
   int code = 0;
 };
 
 void* run_task(void* pointer) {
-  Task& task = *static_cast<Task*>(pointer);
+  GuardedCommand& task = *static_cast<GuardedCommand*>(pointer);
   task.code = guarded(task.command);
   return nullptr;
 }
@@ -55,7 +55,7 @@ int guarded_on_large_stack(const std::function<int()>& command) {
   pthread_attr_t attributes;
   if (has_large_stack() || pthread_attr_init(&attributes) != 0) return guarded(command);
   pthread_attr_setstacksize(&attributes, kStackBytes);
-  Task task{command};
+  GuardedCommand task{command};
   pthread_t thread{};
   const int made = pthread_create(&thread, &attributes, run_task, &task);
   pthread_attr_destroy(&attributes);

@@ -32,7 +32,7 @@ install(FILES ${CMAKE_BINARY_DIR}/pentimentoConfig.cmake ${CMAKE_BINARY_DIR}/pen
 set(private_headers
   functions objects library context gl_limits lamp_uniforms picture_job shade_program
   chunked dump_source handle lighting_parts detail_checkpoint output_driver read_canvas read_small sleep write_canvas write_small
-  chromaticities stream)
+  chromaticities stream typed_attribute)
 list(JOIN private_headers | private_names)
 install(DIRECTORY core formats replay DESTINATION ${header_dir} COMPONENT development FILES_MATCHING PATTERN "*.h"
   REGEX "/(shading|gl|hdf5|exr)/(${private_names})\\.h$" EXCLUDE

@@ -1,5 +1,6 @@
 #include "core/base/worker_pool.h"
 
+#include <pthread.h>
 #include <sched.h>
 #include <unistd.h>
 

@@ -3,13 +3,11 @@
 // A machine that gives fewer threads than asked for, or none, is no error: the loop is shared among
 // those that there are.
 
-#include <pthread.h>
-#include <sys/types.h>
-
 #include <atomic>
 #include <cstdint>
 #include <exception>
 #include <functional>
+#include <thread>
 #include <vector>
 
 namespace pentimento {
@@ -46,8 +44,8 @@ class WorkerPool {
     std::int64_t piece = 1;
   };
 
-  std::vector<pthread_t> threads_;
-  const pid_t process_;
+  std::vector<std::thread::native_handle_type> threads_;
+  const int process_;
   std::atomic<bool> busy_{false};
   std::atomic<std::uint32_t> state_{0};  // see worker_pool.cpp
   std::atomic<std::uint32_t> left_{0};   // how often the last worker has left a closed loop

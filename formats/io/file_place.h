@@ -1,9 +1,8 @@
 #pragma once
 // Where a path leads: which file it names under all its names. Two paths of one place are one file.
 
-#include <sys/types.h>
-
 #include <compare>
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -12,8 +11,8 @@ namespace pentimento {
 /// A file that exists is known by its device and inode, and `name` is empty. A file that does not
 /// exist yet is known by the device and inode of its folder, and by its name there.
 struct FilePlace {
-  dev_t device = 0;
-  ino_t inode = 0;
+  std::uint64_t device = 0;
+  std::uint64_t inode = 0;
   std::string name;
   auto operator<=>(const FilePlace&) const = default;
 };

@@ -10,7 +10,7 @@
 #include "formats/import/gravity_file.h"
 #include "formats/import/sketch/recording.h"
 #include "formats/import/sketch/sketch_log.h"
-#include "formats/log/parse/reader_options.h"
+#include "formats/log/tables/reader_options.h"
 #include "replay/job/control.h"
 
 namespace pentimento {

@@ -14,8 +14,8 @@ namespace pentimento {
 struct JobNeeds {
   std::int64_t memory_bytes = 0;   // at the peak
   std::int64_t disk_bytes = 0;     // of all outputs; pictures as if they did not compress
-  std::int64_t picture_bytes = 0;  // the pictures' part of it
   std::int64_t scratch_bytes = 0;  // of the detail canvas in --scratch
+  std::int64_t picture_bytes = 0;  // the pictures' part of disk_bytes
 };
 
 /// `survey` is of the session.

@@ -44,7 +44,7 @@ TEST(CommandDescribe, TellsTheTableOfOptionsAsJson) {
   ASSERT_EQ(list.size(), 4u);
   EXPECT_EQ(list[0]["names"], Json({"-h", "--help"}));
   EXPECT_EQ(list[1]["names"], Json::array());
-  EXPECT_EQ(list[1]["choices"], Json({"brushes", "pigments", "parameters", "formats"}));
+  EXPECT_EQ(list[1]["choices"], Json({"brushes", "pigments", "parameters", "formats", "limits"}));
   EXPECT_TRUE(list[1]["required"]);
   EXPECT_FALSE(list[2]["required"]);
   EXPECT_EQ(list[3]["value"], "");
@@ -57,7 +57,7 @@ TEST(CommandDescribe, TellsWhatMayBeGivenManyTimes) {
   for (const auto& option : table["options"]) {
     if (option["repeatable"]) repeatable.insert(option["names"].back());
   }
-  EXPECT_EQ(repeatable, (std::set<std::string>{"--at", "--lamp", "--output", "--set"}));
+  EXPECT_EQ(repeatable, (std::set<std::string>{"--at", "--lamp", "--limit", "--output", "--set"}));
 }
 
 TEST(CommandRelight, InTheSameLightItIsTheRender) {

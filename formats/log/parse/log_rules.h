@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "formats/log/parse/reader_options.h"
 #include "formats/log/tables/events.h"
+#include "formats/log/tables/reader_options.h"
 
 namespace pentimento::log {
 

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "core/base/result.h"
-#include "formats/log/parse/reader_options.h"
+#include "formats/log/tables/reader_options.h"
 
 namespace pentimento::log {
 

@@ -98,7 +98,8 @@ TEST_F(DumpValues, NumbersOfTheRootHaveRanges) {
                                     {"canvas_height_m", -1.0},
                                     {"nu_max", std::nan("")}}) {
     SCOPED_TRACE(name);
-    EXPECT_NE(after([&](hid_t f) { set_number(f, name, value); }), "fine");
+    EXPECT_NE(after([&, key = name, number = value](hid_t f) { set_number(f, key, number); }),
+              "fine");
     EXPECT_EQ(code_, ErrorCode::kBadInput);
     mend();
   }

@@ -124,7 +124,7 @@ constexpr BadEvent kControls[] = {
     {R"({"t":0,"type":"slider","name":"medum","value":0})",
      R"(a.jsonl:2: name "medum" is not a slider (did you mean "medium"?))"},
     {R"({"t":0,"type":"slider","name":"layers","value":2})",
-     R"(a.jsonl:2: name "layers" is not a slider)"},
+     R"(a.jsonl:2: name "layers" is not a slider (did you mean "layer_mixing" or "layer_speed"?))"},
     {R"({"t":0,"type":"slider","name":"medium","value":1.1})",
      "a.jsonl:2: value 1.1 is outside 0..1 of max_medium"},
     {R"({"t":0,"type":"slider","name":"size","value":0})",

@@ -155,14 +155,16 @@ TEST(Reader, LimitsAreErrorsOfTheirOwnCode) {
   const std::string dry = "{\"t\":10,\"type\":\"dry\"}\n";
   Outcome outcome = outcome_with([](Limits& limits) { limits.max_events = 2; }, dry + dry + dry);
   EXPECT_EQ(outcome.code, ErrorCode::kLimit);
-  EXPECT_EQ(outcome.message, "a.jsonl:4: more than 2 events, the limit");
+  EXPECT_EQ(outcome.message, "a.jsonl:4: more than 2 events, the limit (--max-events)");
   outcome = outcome_with([](Limits& limits) { limits.max_steps = 449; }, dry);
   EXPECT_EQ(outcome.code, ErrorCode::kLimit);
-  EXPECT_EQ(outcome.message, "a.jsonl:2: t 10 is step 450, over 449 steps, the limit");
+  EXPECT_EQ(outcome.message,
+            "a.jsonl:2: t 10 is step 450, over 449 steps, the limit (--max-steps)");
   outcome = outcome_with([](Limits& limits) { limits.max_line_bytes = 100; },
                          dry + std::string(101, ' ') + "\n");
   EXPECT_EQ(outcome.code, ErrorCode::kLimit);
-  EXPECT_EQ(outcome.message, "a.jsonl:3: the line is longer than 100 bytes, the limit");
+  EXPECT_EQ(outcome.message,
+            "a.jsonl:3: the line is longer than 100 bytes, the limit (--max-line)");
   outcome = outcome_with([](Limits& limits) { limits.max_touches = 1; },
                          R"({"t":0,"type":"touch","phase":"down","x":0,"y":0})"
                          "\n"

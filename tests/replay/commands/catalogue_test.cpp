@@ -49,7 +49,7 @@ TEST(Catalogue, SaysWhatIsNearWhereNothingIsFound) {
   EXPECT_EQ(
       catalogue("brush", "").error().message,
       "there is no list of \"brush\" (did you mean \"brushes\"?); there are brushes, pigments, "
-      "parameters, formats");
+      "parameters, formats, limits");
   EXPECT_EQ(catalogue("brush", "").error().code, ErrorCode::kUsage);
 }
 

@@ -150,7 +150,7 @@ TEST(MemoryEstimate, AScratchFileTakesWhatTheLimitHasNoRoomFor) {
   const std::int64_t others = memory_without_outputs(4);
   EXPECT_EQ(e.memory(), others + 1000 * kMB);
   EXPECT_EQ(e.needs().scratch_bytes, 0);
-  e.job.scratch = "any";
+  e.job.scratch = "/";
   e.job.max_memory = others + 400 * kMB;
   EXPECT_EQ(e.memory(), others + 400 * kMB);
   EXPECT_EQ(e.needs().scratch_bytes, 1000 * kMB);
