@@ -33,7 +33,10 @@ TEST(Guard, AWantOfMemoryIsOneLineAndLeavesNothing) {
     if (ran.code == 0 || ran.code == 127) continue;  // it fitted; the libraries did not
     ++refused;
     EXPECT_TRUE(ran.code == 4 || ran.code == 5) << mebibytes << ": " << ran.code << ran.err;
-    EXPECT_EQ(lines_in(ran.err), 1U) << mebibytes << ": " << ran.err;
+    // Mesa, which finds no memory to load itself, may say a line of its own.
+    const std::size_t ours = ran.err.find("pentimento: ");
+    ASSERT_NE(ours, std::string::npos) << mebibytes << ": " << ran.err;
+    EXPECT_EQ(ran.err.find("pentimento: ", ours + 1), std::string::npos) << ran.err;
     EXPECT_EQ(place.files(), 1U) << mebibytes;
   }
   EXPECT_GT(refused, 0);
