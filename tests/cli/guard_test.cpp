@@ -55,7 +55,7 @@ TEST(Guard, AHangupCleansUpAsTheOtherSignalsDo) {
 TEST(Guard, AWaitForAPipeIsInterrupted) {
   const Workplace place;
   const Ran ran =
-      place.run("render - -o a.png --quiet", "sleep 20 | timeout --preserve-status 0.3");
+      place.run("render - -o a.png --quiet", "sleep 3 | timeout --preserve-status 0.3");
   EXPECT_EQ(ran.code, 75) << ran.err;
 }
 
