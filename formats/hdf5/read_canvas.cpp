@@ -108,11 +108,6 @@ std::uint64_t plane_bytes(std::uint64_t width, std::uint64_t height) {
 
 }  // namespace
 
-Result<void> DumpFile::go_on() const {
-  if (cancelled == nullptr || !cancelled->load(std::memory_order_relaxed)) return {};
-  return Error{ErrorCode::kInterrupted, "interrupted; nothing was written"};
-}
-
 Result<CanvasShape> canvas_shape(const CanvasGroup& from, const ShapeLimits& limits) {
   const std::string& path = from.path;
   const Result<Shape> plane = shape_in_file(from, "/fluid/depth", 2);

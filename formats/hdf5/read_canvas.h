@@ -6,6 +6,7 @@
 #include <atomic>
 #include <string>
 
+#include "core/base/interruption.h"
 #include "core/base/result.h"
 #include "core/canvas/canvas_state.h"
 #include "formats/hdf5/layout.h"
@@ -20,7 +21,7 @@ struct DumpFile {
   const Rehearsal& rehearsal;
   const std::atomic<bool>* cancelled;  // nullptr: nothing
   /// Ok, or kInterrupted.
-  Result<void> go_on() const;
+  Result<void> go_on() const { return unless_interrupted(cancelled); }
 };
 
 /// Where a canvas lies: the group that holds the canvas's groups, "" for the root.

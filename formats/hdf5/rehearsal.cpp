@@ -18,6 +18,8 @@
 #include <new>
 #include <optional>
 
+#include "core/base/interruption.h"
+
 namespace pentimento::hdf5 {
 
 namespace {
@@ -195,8 +197,7 @@ Result<void> rehearse(const std::string& path, const std::atomic<bool>* cancelle
   fcntl(ends[0], F_SETFL, O_NONBLOCK);
   WatchedChild watched(child, ends[0], limits);
   while (watched.runs()) {
-    if (cancelled != nullptr && cancelled->load(std::memory_order_relaxed))
-      return Error{ErrorCode::kInterrupted, "interrupted; nothing was written"};
+    if (Result<void> go = unless_interrupted(cancelled); !go) return go;
     if (watched.late())
       return Error{ErrorCode::kBadInput,
                    fmt::format("{}: not read within {:.0f} s: damaged, or made to take long", path,

@@ -16,8 +16,8 @@ namespace {
 using nlohmann::json;
 
 /// Options that change no byte of a result.
-constexpr std::array<std::string_view, 3> kOfTheMachine = {"--threads", "--memory-limit",
-                                                           "--scratch"};
+constexpr std::array<std::string_view, 5> kOfTheMachine = {
+    "--threads", "--memory-limit", "--scratch", "--checkpoint", "--checkpoint-every"};
 
 /// Empty for a file that cannot be read.
 std::string hash_of_file(const std::string& path) {

@@ -5,8 +5,6 @@
 
 #include <algorithm>
 
-#include "formats/checkpoint/synced_file.h"
-#include "formats/io/sha256.h"
 #include "formats/log/tables/model_fields.h"
 #include "replay/job/build_info.h"
 
@@ -14,22 +12,6 @@ namespace pentimento {
 
 namespace {
 constexpr std::size_t kLeastPairBytes = 8 + 8;
-
-/// SHA-256 of a file of the command line.
-Result<std::string> hash_of_file(const std::string& path) {
-  using checkpoint::PlacedReader;
-  Result<std::unique_ptr<PlacedReader>> file = PlacedReader::open(path);
-  if (!file) return file.error();
-  Sha256 hash;
-  std::vector<char> bytes(std::size_t{1} << 20);
-  for (std::uint64_t done = 0; done < (*file)->size(); done += bytes.size()) {
-    bytes.resize(
-        static_cast<std::size_t>(std::min<std::uint64_t>(bytes.size(), (*file)->size() - done)));
-    if (Result<void> read = (*file)->read(done, bytes); !read) return read.error();
-    hash.update(bytes.data(), bytes.size());
-  }
-  return hash.hex();
-}
 
 std::string cells(const CanvasGeometry& grid) {
   return fmt::format("{} x {}", grid.width, grid.height);
@@ -42,18 +24,12 @@ const std::string* find(const Binding& binding, const std::string& name) {
 }
 }  // namespace
 
-Result<Binding> binding_of(const RenderJob& job, const LogSession& session) {
+Binding binding_of(const RenderJob& job, const LogSession& session,
+                   const std::map<std::string, std::string>& files_of_options) {
   Binding binding = {{"log", session.plan.sha256}};
   for (const auto& [name, sha256] : session.files.hashes())
     binding.emplace_back("file " + name, sha256);
-  const std::pair<const char*, const std::string&> named[] = {
-      {"--from", job.from}, {"--environment", job.light.environment}};
-  for (const auto& [option, path] : named) {
-    if (path.empty()) continue;
-    Result<std::string> sha256 = hash_of_file(path);
-    if (!sha256) return sha256.error();
-    binding.emplace_back(option, *sha256);
-  }
+  for (const auto& [option, sha256] : files_of_options) binding.emplace_back(option, sha256);
   binding.emplace_back("build", software());
   binding.emplace_back("grid", cells(session.grid));
   binding.emplace_back("detail", std::to_string(session.detail));

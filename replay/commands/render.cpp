@@ -183,7 +183,7 @@ Result<void> Replay::begin() {
   }
   // The log's events in time, the hand that does them, and the player who lets time pass.
   const TimelineInput input{session_.plan.undo, session_.brushes, session_.plan.stepped,
-                            last_stroke_id(simulation_->state()) + 1, control_.cancelled};
+                            last_stroke_id(simulation_->state()) + 1};
   timeline_ = std::make_unique<Timeline>(*session_.reader, input);
   hand_ = std::make_unique<Hand>(*simulation_,
                                  hand_input(session_, fine_ ? &fine_->substrate() : nullptr));
@@ -198,9 +198,8 @@ Result<void> Replay::begin() {
 Result<void> Replay::begin_checkpoint() {
   if (!checkpoint_) return {};
   watch_.start("resume");
-  Result<Binding> binding = binding_of(job_, session_);
-  if (!binding) return binding.error();
-  return checkpoint_->begin({*simulation_, fine_.get(), *player_, outputs_}, std::move(*binding));
+  return checkpoint_->begin({*simulation_, fine_.get(), *player_, outputs_},
+                            binding_of(job_, session_, files_of_options_));
 }
 
 Result<void> Replay::claim_outputs() {

@@ -5,10 +5,11 @@
 #include <sys/statvfs.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <limits>
 #include <map>
 #include <set>
+
+#include "formats/io/part_file.h"
 
 namespace pentimento {
 
@@ -19,11 +20,6 @@ constexpr double kLeastPicture = 0.1;
 // Of what is foreseen of a detail canvas: the estimate is right within a factor of 1.2.
 constexpr double kLeastScratch = 0.8;
 constexpr std::int64_t kMebibyte = 1 << 20;
-
-std::string folder_of(const std::string& path) {
-  const std::string folder = std::filesystem::path(path).parent_path().string();
-  return folder.empty() ? "." : folder;
-}
 
 /// Whether the output is a file beside which a temporary one will lie.
 bool is_file(const std::string& path) {

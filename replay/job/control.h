@@ -7,6 +7,7 @@
 #include <functional>
 #include <string_view>
 
+#include "core/base/interruption.h"
 #include "core/base/result.h"
 
 namespace pentimento {
@@ -29,10 +30,7 @@ struct Control {
     if (warn) warn(text);
   }
   /// Ok, or kInterrupted once `cancelled` is set.
-  Result<void> go_on() const {
-    if (cancelled == nullptr || !cancelled->load(std::memory_order_relaxed)) return {};
-    return Error{ErrorCode::kInterrupted, "interrupted; nothing was written"};
-  }
+  Result<void> go_on() const { return unless_interrupted(cancelled); }
 };
 
 }  // namespace pentimento

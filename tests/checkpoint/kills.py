@@ -83,8 +83,11 @@ class Case:
                 return kills, f"exit {status}: {err}"
             else:
                 break
-        if comparable(out) != self.report:
-            return kills, "another report"
+        report = comparable(out)
+        if report != self.report:
+            return kills, "another report: " + "; ".join(
+                f"{name} {report.get(name)}, not {self.report.get(name)}" for name in sorted({*report, *self.report})
+                if report.get(name) != self.report.get(name))
         if outputs(self.folder) != self.files:
             return kills, "other files"
         if (self.folder / "ck").exists():

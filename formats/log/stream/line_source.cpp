@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "core/base/interruption.h"
 #include "formats/log/json/json_line.h"
 
 namespace pentimento::log {
@@ -27,8 +28,9 @@ Error LineSource::over_limit(const char* what, std::int64_t Limits::*limit) cons
 /// Reads one more block behind what is there; false at the end.
 Result<bool> LineSource::fill() {
   if (at_end_) return false;
-  if (cancelled_ != nullptr && cancelled_->load(std::memory_order_relaxed))
-    return Error{ErrorCode::kInterrupted, "interrupted; nothing was written"};
+  if (sha256_.empty()) {
+    if (Result<void> go = unless_interrupted(cancelled_); !go) return go.error();
+  }
   if (begin_ > 0) {
     std::memmove(buffer_.data(), buffer_.data() + begin_, end_ - begin_);
     end_ -= begin_;

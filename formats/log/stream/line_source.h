@@ -23,7 +23,8 @@ struct Line {
 
 class LineSource {
  public:
-  /// Of the options, the limits of bytes, lines and blank lines count, and `cancelled`.
+  /// Of the options, the limits of bytes, lines and blank lines count, and `cancelled`, which is
+  /// heard until the end is reached first: from then on the length is known.
   LineSource(std::unique_ptr<ByteSource> source, const ReaderOptions& options);
 
   /// The next line that is not blank, or nothing at the end; it holds until the next call.

@@ -11,6 +11,8 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "core/base/interruption.h"
+
 namespace pentimento::log {
 
 namespace {
@@ -34,8 +36,7 @@ Result<void> wait_for_bytes(int descriptor, const std::atomic<bool>* cancelled) 
   constexpr int kLook_ms = 100;  // a signal that comes just before poll() does not end it
   pollfd waiting{descriptor, POLLIN, 0};
   do {
-    if (cancelled != nullptr && cancelled->load(std::memory_order_relaxed))
-      return Error{ErrorCode::kInterrupted, "interrupted; nothing was written"};
+    if (Result<void> go = unless_interrupted(cancelled); !go) return go;
   } while (::poll(&waiting, 1, kLook_ms) <= 0);
   return {};
 }

@@ -18,21 +18,33 @@ struct Survived {
   std::vector<std::string> warnings;
 };
 
+/// A control that interrupts a job after so many steps that are computed.
+class InterruptingControl {
+ public:
+  explicit InterruptingControl(int steps) {
+    control.cancelled = &cancelled_;
+    control.progress = [this, steps](const ProgressState& state) {
+      if (state.phase == "simulate" && ++computed_ == steps) cancelled_ = true;
+    };
+  }
+  InterruptingControl(const InterruptingControl&) = delete;
+  InterruptingControl& operator=(const InterruptingControl&) = delete;
+  Control control;
+
+ private:
+  std::atomic<bool> cancelled_{false};
+  int computed_ = 0;
+};
+
 /// Renders with an interruption after every `steps` steps that are computed, each time as in a new
 /// process. `between(n)` is called after interruption n.
 template <typename Between>
 Survived survive(const RenderJob& job, int steps, const Between& between) {
   Survived survived{Error{ErrorCode::kInterrupted, {}}, 0, {}};
   while (survived.interruptions < 100'000) {
-    std::atomic<bool> cancelled{false};
-    int computed = 0;
-    Control control;
-    control.cancelled = &cancelled;
-    control.progress = [&](const ProgressState& state) {
-      if (state.phase == "simulate" && ++computed == steps) cancelled = true;
-    };
-    control.warn = [&](const std::string& text) { survived.warnings.push_back(text); };
-    survived.report = render(job, control);
+    InterruptingControl interrupting(steps);
+    interrupting.control.warn = [&](const std::string& text) { survived.warnings.push_back(text); };
+    survived.report = render(job, interrupting.control);
     if (survived.report || survived.report.error().code != ErrorCode::kInterrupted) return survived;
     between(++survived.interruptions);
   }
@@ -45,14 +57,8 @@ inline Survived survive(const RenderJob& job, int steps) {
 
 /// Interrupts the job once, after `steps` steps.
 inline Error interrupt(const RenderJob& job, int steps) {
-  std::atomic<bool> cancelled{false};
-  int computed = 0;
-  Control control;
-  control.cancelled = &cancelled;
-  control.progress = [&](const ProgressState& state) {
-    if (state.phase == "simulate" && ++computed == steps) cancelled = true;
-  };
-  Result<JobReport> done = render(job, control);
+  const InterruptingControl interrupting(steps);
+  Result<JobReport> done = render(job, interrupting.control);
   EXPECT_FALSE(done) << "it came to its end";
   return done ? Error{} : done.error();
 }
