@@ -16,6 +16,9 @@ constexpr double kMostOfTime_frac = 0.03;
 // waits for the disk.
 constexpr double kFirstGuess_bytes_per_s = 1e8;
 constexpr double kLeastCost_s = 0.03;
+// How long an interrupted job works on the step that it is in. The signal shall be obeyed within
+// two seconds, and the slot takes some of them.
+constexpr double kLongestStep_s = 1;
 
 using Clock = std::chrono::steady_clock;
 
@@ -146,6 +149,13 @@ Result<void> Checkpointer::between_steps() {
   return {};
 }
 
+Result<void> Checkpointer::within_step() {
+  const Result<void> go = control_.go_on();
+  if (go) return {};
+  if (!interrupted_at_) interrupted_at_ = Clock::now();
+  return seconds_since(*interrupted_at_) < kLongestStep_s ? Result<void>() : go;
+}
+
 void Checkpointer::before_outputs(bool last_stop) {
   const bool wanted = choice_.every_steps ? last_stop : is_affordable();
   if (wanted) save_or_warn();
@@ -208,6 +218,11 @@ Result<void> Checkpointer::write(std::uint64_t generation) {
 }
 
 Error Checkpointer::interrupted() {
+  if (!parts_->player.is_between_steps())
+    return {ErrorCode::kInterrupted,
+            fmt::format("interrupted within a long step, which is not saved; {}",
+                        saved_ ? fmt::format("the same command goes on from step {}", saved_->step)
+                               : "the same command begins anew")};
   if (Result<void> saved = save(); !saved)
     return {saved.error().code, "interrupted, and not saved: " + saved.error().message};
   return {ErrorCode::kInterrupted,

@@ -50,9 +50,12 @@ class Checkpointer final : public StepPause {
 
   /// Saves if it is time to. Errors: kInterrupted, when all is saved.
   Result<void> between_steps() override;
+  /// Lets a step come to its end when the job is interrupted, unless the step is a long one.
+  Result<void> within_step() override;
   /// The replay rests at a stop, and its outputs are about to be made, which may take long.
   void before_outputs(bool last_stop);
-  /// The job was interrupted at a stop: saves. Returns the error that ends the job.
+  /// The job was interrupted: saves, unless a step is half done. Returns the error that ends the
+  /// job.
   Error interrupted();
   /// The job is done and its outputs have their names: the slots go away.
   CheckpointReport finish();
@@ -90,6 +93,7 @@ class Checkpointer final : public StepPause {
   using Clock = std::chrono::steady_clock;
   const Clock::time_point begun_ = Clock::now();
   Clock::time_point saved_at_ = begun_;
+  std::optional<Clock::time_point> interrupted_at_;  // heard within a step
   std::int64_t slot_bytes_ = 0;  // of the last slot without its planes; 0: none yet
   double bytes_per_s_;           // measured
   CheckpointReport report_;

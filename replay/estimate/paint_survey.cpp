@@ -23,10 +23,9 @@ Result<PaintSurvey> survey_paint(LogSession& session, const DetailCost& cost,
   SurveyPainter painter(session, cost);
   Hand hand(painter, hand_input(session));
   const std::optional<std::int64_t> stop = last_stop(session);
-  Timeline timeline(*session.reader, {session.plan.undo, session.brushes, session.plan.stepped, 1,
-                                      control.cancelled});
+  Timeline timeline(*session.reader, {session.plan.undo, session.brushes, session.plan.stepped, 1});
   for (;;) {
-    Result<std::optional<Cue>> cue = timeline.next();
+    Result<std::optional<Cue>> cue = timeline.next(control.cancelled);
     if (!cue) return cue.error();
     if (!cue->has_value() || (stop && (*cue)->step >= *stop)) break;
     if (Result<void> go = control.go_on(); !go) return go.error();

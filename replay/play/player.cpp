@@ -46,7 +46,7 @@ Result<void> Player::apply_cues(std::optional<std::int64_t> before_step) {
     if (!more) return more.error();
     if (!*more) return {};
     if (before_step && ahead_->step >= *before_step) return {};
-    if (Result<void> go = in_.control.go_on(); !go) return go;
+    if (Result<void> go = hear(); !go) return go;
     if (Result<void> advanced = advance(ahead_->step); !advanced) return advanced;
     line_ = std::max(line_, ahead_->line);
     if (Result<void> applied = in_.hand.apply(*ahead_); !applied) return applied;
@@ -56,9 +56,14 @@ Result<void> Player::apply_cues(std::optional<std::int64_t> before_step) {
   }
 }
 
+Result<void> Player::hear() const {
+  return may_stop_here() ? in_.control.go_on() : in_.pause->within_step();
+}
+
 Result<bool> Player::look_ahead() {
   if (ahead_) return true;
-  Result<std::optional<Cue>> cue = in_.timeline.next();
+  Result<std::optional<Cue>> cue =
+      in_.timeline.next(may_stop_here() ? in_.control.cancelled : nullptr);
   if (!cue) return cue.error();
   ahead_ = std::move(*cue);
   return ahead_.has_value();
@@ -85,6 +90,7 @@ Result<void> Player::skip_to(const PlayPosition& position) {
     ahead_.reset();
     ++cues_;
   }
+  cues_of_whole_steps_ = cues_;
   computed_ = position.computed;
   return {};
 }
@@ -96,6 +102,7 @@ Result<void> Player::advance(std::int64_t to_step) {
     }
     ++computed_;
     const bool moved = in_.simulation.step();
+    cues_of_whole_steps_ = cues_;
     if (in_.observer != nullptr) {
       const bool whole = std::exchange(whole_canvas_, false);
       if (Result<void> seen = in_.observer->stepped(in_.simulation.state(), line_, whole); !seen)

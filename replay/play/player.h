@@ -27,7 +27,8 @@ struct PlayerInput {
   const Control& control;
   std::int64_t total_steps = 0;      // for progress
   StepObserver* observer = nullptr;  // told of every step that was computed; nullptr: nobody
-  StepPause* pause = nullptr;  // ends the replay between steps; nullptr: a signal does at once
+  StepPause* pause = nullptr;  // told of each pause between steps, where a signal ends the replay;
+                               // nullptr: a signal ends it anywhere
 };
 
 /// How far a replay is: with the canvas and what the simulation remembers, all that it takes to go
@@ -56,6 +57,8 @@ class Player {
   /// Errors: as above, and kBadInput for a position that the log does not have.
   Result<void> skip_to(const PlayPosition& position);
 
+  /// Whether nothing of a step is half done: no cue was played since the last step.
+  bool is_between_steps() const { return cues_ == cues_of_whole_steps_; }
   /// Steps since the player began.
   std::int64_t steps() const;
   /// Steps that were computed, not skipped.
@@ -66,6 +69,10 @@ class Player {
   Result<void> apply_cues(std::optional<std::int64_t> before_step);
   /// Makes `ahead_` the next cue. False at the end of the log.
   Result<bool> look_ahead();
+  /// Whether a signal ends the replay where it is: not within a step if there is a pause.
+  bool may_stop_here() const { return in_.pause == nullptr || is_between_steps(); }
+  /// Errors: kInterrupted.
+  Result<void> hear() const;
   Result<void> light(const Cue& cue);
   Result<void> advance(std::int64_t to_step);
   Result<void> check_finite() const;
@@ -73,7 +80,8 @@ class Player {
   PlayerInput in_;
   std::int64_t first_step_;
   std::int64_t computed_ = 0;
-  std::int64_t cues_ = 0;      // played
+  std::int64_t cues_ = 0;  // played
+  std::int64_t cues_of_whole_steps_ = 0;
   bool whole_canvas_ = false;  // a drying, a clearing or a picture since the last step
   std::int64_t line_ = 0;      // of the log, of the last cue that was played
   std::optional<Cue> ahead_;

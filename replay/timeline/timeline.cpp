@@ -4,6 +4,7 @@
 #include <tuple>
 #include <utility>
 
+#include "core/base/interruption.h"
 #include "replay/timeline/brush_track.h"
 #include "replay/timeline/cue_queue.h"
 #include "replay/timeline/touches.h"
@@ -42,10 +43,11 @@ Timeline::Timeline(log::Reader& reader, const TimelineInput& input)
     : impl_(std::make_unique<Impl>(reader, input)) {}
 Timeline::~Timeline() = default;
 
-Result<std::optional<Cue>> Timeline::next() {
+Result<std::optional<Cue>> Timeline::next(const std::atomic<bool>* cancelled) {
   while (true) {
     while (!impl_->front_is_final()) {
       if (impl_->at_end) return std::optional<Cue>{};
+      if (Result<void> go = unless_interrupted(cancelled); !go) return go.error();
       if (Result<void> read = impl_->read_one(); !read) return read.error();
     }
     if (std::optional<Cue> cue = impl_->release()) return cue;
@@ -53,8 +55,6 @@ Result<std::optional<Cue>> Timeline::next() {
 }
 
 Result<void> Timeline::Impl::read_one() {
-  if (input.cancelled != nullptr && input.cancelled->load(std::memory_order_relaxed))
-    return Error{ErrorCode::kInterrupted, "interrupted; nothing was written"};
   Result<std::optional<log::Event>> event = reader.next();
   if (!event) return event.error();
   if (event->has_value()) {

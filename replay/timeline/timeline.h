@@ -30,7 +30,6 @@ struct TimelineInput {
   const BrushTable& brushes;
   bool stepped = false;  // the log has `step` events and is stepped by them alone
   std::uint32_t first_stroke_id = 1;
-  const std::atomic<bool>* cancelled = nullptr;  // ends the reading ahead; may be null
 };
 
 class Timeline {
@@ -41,8 +40,9 @@ class Timeline {
   Timeline(log::Reader& reader, const TimelineInput& input);
   ~Timeline();
 
-  /// The next cue, or nothing at the end. Errors: the reader's; kInterrupted.
-  Result<std::optional<Cue>> next();
+  /// The next cue, or nothing at the end. Errors: the reader's; kInterrupted once `cancelled`,
+  /// which may be nullptr, is set and more must be read.
+  Result<std::optional<Cue>> next(const std::atomic<bool>* cancelled = nullptr);
 
  private:
   struct Impl;

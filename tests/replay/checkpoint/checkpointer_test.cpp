@@ -1,9 +1,13 @@
 #include "replay/checkpoint/checkpointer.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <filesystem>
+#include <thread>
 
 #include "tests/replay/checkpoint/interrupted_job.h"
 #include "tests/replay/small_job.h"
@@ -262,6 +266,60 @@ TEST(Checkpointer, HashesOfStepsAreRefused) {
   job.hashes = folder.path("hashes");
   EXPECT_EQ(refusal(job).code, ErrorCode::kUsage);
   EXPECT_FALSE(std::filesystem::exists(folder.path("ck")));
+}
+
+/// A log whose step from 0.5 s on has so many stamps that it takes seconds.
+std::string log_of_a_long_step() {
+  std::string log =
+      R"({"type":"header","format":"pentimento-log","version":1,"canvas":{"width":0.2,"height":0.15},)"
+      R"("grid":{"width":160,"height":120},"steps_per_second":4})"
+      "\n"
+      R"({"t":0,"type":"slider","name":"size","value":0.15})"
+      "\n"
+      R"({"t":0.1,"type":"touch","phase":"down","x":0.02,"y":0.02})"
+      "\n"
+      R"({"t":0.2,"type":"touch","phase":"up","x":0.03,"y":0.02})"
+      "\n";
+  for (int i = 0; i <= 2000; ++i) {
+    log +=
+        fmt::format(R"({{"t":{:.5f},"type":"touch","phase":"{}","x":{},"y":0.1}})", 0.5 + i * 1e-4,
+                    i == 0      ? "down"
+                    : i == 2000 ? "up"
+                                : "move",
+                    i % 2 == 0 ? 0.02 : 0.18);
+    log += '\n';
+  }
+  return log;
+}
+
+TEST(Checkpointer, AnInterruptionWaitsASecondForALongStepAndNoLonger) {
+  const JobFolder folder(log_of_a_long_step());
+  RenderJob job = checkpointed(folder.job({"a.h5"}), folder);
+  job.checkpoint.every_steps = 2;
+  // The step before the long one is the last that tells of itself.
+  std::atomic<bool> cancelled{false};
+  std::atomic<std::int64_t> step{0};
+  Control control;
+  control.cancelled = &cancelled;
+  control.progress = [&](const ProgressState& state) {
+    if (state.phase == "simulate") step = state.done;
+  };
+  std::chrono::steady_clock::time_point asked;
+  std::thread hand([&] {
+    while (step < 2) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    asked = std::chrono::steady_clock::now();
+    cancelled = true;
+  });
+  const Result<JobReport> done = render(job, control);
+  const auto ended = std::chrono::steady_clock::now();
+  hand.join();
+  ASSERT_FALSE(done) << "the step is too short for this machine";
+  EXPECT_EQ(done.error().code, ErrorCode::kInterrupted);
+  EXPECT_EQ(
+      done.error().message,
+      "interrupted within a long step, which is not saved; the same command goes on from step 2");
+  EXPECT_GE(ended - asked, std::chrono::milliseconds(900));
 }
 
 TEST(Checkpointer, SavesAsOftenAsItIsTold) {
