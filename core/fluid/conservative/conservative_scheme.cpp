@@ -167,14 +167,20 @@ void ConservativeScheme::advect(CanvasState& state, const StepInput& in, bool ev
   // Each axis is one sweep. The second sweep takes what the first one left.
   const Axis first = even ? Axis::kX : Axis::kY;
   const Axis second = even ? Axis::kY : Axis::kX;
-  // 3a. Masses: how much paint lies around each face before anything moves.
-  fill_node_masses(state, *tiles_, in.threads, work_);
-  passed("masses");
-  for (const Axis axis : {first, second}) {
-    // 3b. Momentum: mass and velocity around each face. The velocities of the state stay, for the
-    // paint needs them.
-    advect_momentum(state, in, axis, axis == first ? Turn::kFirst : Turn::kSecond, *tiles_, work_);
-    passed(axis == Axis::kX ? "momentum_x" : "momentum_y");
+  if (tiles_->moves()) {
+    // 3a. Masses: how much paint lies around each face before anything moves.
+    fill_node_masses(state, *tiles_, in.threads, work_);
+    passed("masses");
+    for (const Axis axis : {first, second}) {
+      // 3b. Momentum: mass and velocity around each face. The velocities of the state stay, for the
+      // paint needs them.
+      advect_momentum(state, in, axis, axis == first ? Turn::kFirst : Turn::kSecond, *tiles_,
+                      work_);
+      passed(axis == Axis::kX ? "momentum_x" : "momentum_y");
+    }
+  } else {
+    rest_nodes(in.threads);
+    passed("rest");
   }
   for (const Axis axis : {first, second}) {
     // 3c. Paint: depth and every channel of every layer, over the same edges.
@@ -187,6 +193,14 @@ void ConservativeScheme::advect(CanvasState& state, const StepInput& in, bool ev
   if (in.listener == nullptr) return;
   in.listener->edges().x_first = even;
   in.listener->moved(state, in, tiles_->runs());
+}
+
+// 3a, 3b where nothing moves: there is no momentum to carry.
+void ConservativeScheme::rest_nodes(const Threads& threads) {
+  for_runs(threads, tiles_->runs(), [&](const Run& r) {
+    for (NodePlanes* n : {&work_.x, &work_.y})
+      std::fill_n(n->velocity_m_s.row(r.y) + r.x0, r.size(), 0.0f);
+  });
 }
 
 void ConservativeScheme::find_rheology(const CanvasState& state, const StepInput& in,
@@ -269,6 +283,7 @@ void ConservativeScheme::copy_sleeping_neighbours(const CanvasState& state) {
 }
 
 void ConservativeScheme::apply_viscosity(const CanvasState& state, const StepInput& in) {
+  if (!tiles_->moves()) return;  // velocities of 0 are solved
   Multigrid& solver = work_.solver;
   const float per_dx2 = in.dt_s / (state.geometry.dx_m() * state.geometry.dx_m());
   const float per_dy2 = in.dt_s / (state.geometry.dy_m() * state.geometry.dy_m());

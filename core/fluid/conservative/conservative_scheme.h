@@ -42,6 +42,7 @@ class ConservativeScheme : public FluidScheme {
   void make_tiles(float sleep_tile_m);
   void part_of_step(CanvasState& state, const StepInput& in, int part);
   void advect(CanvasState& state, const StepInput& in, bool even);
+  void rest_nodes(const Threads& threads);
   void apply_viscosity(const CanvasState& state, const StepInput& in);
   void solve_height(CanvasState& state, const StepInput& in);
   // These work on one run:

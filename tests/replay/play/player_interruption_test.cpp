@@ -12,23 +12,26 @@
 namespace pentimento {
 namespace {
 
-/// A log that is interrupted while its event `at` is read for the second time, as the player does.
+/// A wet stroke and a dry one, interrupted while event `at` is read.
 class InterruptingReader final : public test::ListReader {
  public:
-  Result<std::optional<log::Event>> next() override {
-    if (rewound_ && next_++ == at) cancelled = true;
-    return ListReader::next();
+  InterruptingReader() {
+    head.canvas_width_m = 0.4;
+    head.canvas_height_m = 0.3;
+    add(0, log::Color{{}, log::Rgb{0.02, 0.05, 0.4}, {}});
+    stroke(0.1, 0.3, 0.05, 0.3, 0.1, 30);
+    add(0.35, log::Dry{});
+    stroke(0.4, 0.5, 0.3, 0.1, 0.12, 30);
+    add(0.6, log::Mark{"end"});
   }
-  Result<void> rewind() override {
-    rewound_ = true;
-    next_ = 0;
-    return ListReader::rewind();
+  Result<std::optional<log::Event>> next() override {
+    if (next_++ == at) cancelled = true;
+    return ListReader::next();
   }
   std::size_t at = std::numeric_limits<std::size_t>::max();
   std::atomic<bool> cancelled{false};
 
  private:
-  bool rewound_ = false;
   std::size_t next_ = 0;
 };
 
@@ -51,25 +54,31 @@ struct Ended {
 
 enum class Pauses { kNone, kPatient, kHurried };
 
-/// Plays a wet stroke and a dry one; the interruption comes with event `at`.
+/// What does not depend on the interruption: mixing the paints takes longer than the replay.
+struct Prepared {
+  Prepared() : plan(plan_of_uninterrupted()), basis(palette_channels(plan.palette.pigments())) {}
+  static LogPlan plan_of_uninterrupted() {
+    InterruptingReader reader;
+    LogFiles files("-", false);
+    return plan_log(reader, files, {}).value();
+  }
+  LogPlan plan;
+  ChannelBasis basis;
+};
+
+/// Plays the log, which is interrupted at event `at`.
 Ended play_until(std::size_t at, Pauses pauses) {
+  static const Prepared kPrepared;
+  const LogPlan& plan = kPrepared.plan;
   InterruptingReader reader;
-  reader.head.canvas_width_m = 0.4;
-  reader.head.canvas_height_m = 0.3;
-  reader.add(0, log::Color{{}, log::Rgb{0.02, 0.05, 0.4}, {}});
-  reader.stroke(0.1, 0.3, 0.05, 0.3, 0.1, 30);
-  reader.add(0.35, log::Dry{});
-  reader.stroke(0.4, 0.5, 0.3, 0.1, 0.12, 30);
-  reader.add(0.6, log::Mark{"end"});
   reader.at = at;
-  LogFiles files("-", false);
   Control control;
-  const LogPlan plan = plan_log(reader, files, {}).value();
   control.cancelled = &reader.cancelled;
+  LogFiles files("-", false);
   const BrushTable brushes;
   SimulationSetup setup;
   setup.geometry = {32, 24, 0.4, 0.3};
-  setup.basis = palette_channels(plan.palette.pigments());
+  setup.basis = kPrepared.basis;
   setup.paper_m = Field<float>(32, 24);
   const Threads threads(1);
   Simulation simulation(std::move(setup), threads);

@@ -174,9 +174,11 @@ std::vector<int> SleepTiles::wake(const CanvasState& state, const StepInput& in)
       motion[k] = flow_in(state, list_[k], in.dt_s);
   });
   travel_cells_ = 0;
+  moves_ = false;
   for (std::size_t k = 0; k < motion.size(); ++k) {
     travel_cells_ = std::max({travel_cells_, motion[k].travel_x, motion[k].travel_y});
     disturbed_[static_cast<std::size_t>(list_[k])] = !motion[k].box.empty();
+    moves_ |= !motion[k].box.empty();
     wake_around(motion[k]);
   }
   wake_touched(in.contact);

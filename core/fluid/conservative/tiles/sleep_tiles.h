@@ -45,6 +45,8 @@ class SleepTiles {
   }
   /// How far the fastest awake paint comes in one step, in cells. Known after wake().
   float travel_cells() const { return travel_cells_; }
+  /// Whether any paint moves at the start of the step. Known after wake().
+  bool moves() const { return moves_; }
   double awake_share() const { return static_cast<double>(list_.size()) / count(); }
   const std::vector<int>& awake_tiles() const { return list_; }
 
@@ -101,6 +103,7 @@ class SleepTiles {
   std::vector<std::uint8_t> awake_, was_awake_;
   std::vector<std::uint8_t> disturbed_;  // touched, or with moving paint at the start of the step
   float travel_cells_ = 0;
+  bool moves_ = false;
   std::vector<int> list_;
   std::vector<Run> runs_;
   std::vector<CellBox> strips_;
