@@ -3,7 +3,7 @@
 Gymnasium is not needed. `action_space` and `observation_space` have its members `shape`, `low`, `high`, `dtype`, `sample()`.
 """
 
-from typing import Any, Optional
+from typing import Any, Iterator, Optional
 
 import numpy as np
 import numpy.typing as npt
@@ -109,7 +109,8 @@ def paint(canvas: Canvas, action: Array, palette: tuple[str, ...], brush: str = 
     canvas.paint(bezier([(*curve[0], ends[0]), (*curve[1], middle), (*curve[2], ends[1])], 16), speed_m_s=2)
 
 
-def pairs(count: int, seed: int = 0, strokes_each: int = 8, **env: Any):
+def pairs(count: int, seed: int = 0, strokes_each: int = 8,
+          **env: Any) -> Iterator[tuple[Array, Array, Array]]:
     """Yields `count` triples (action, picture before, picture after), for what learns to paint. Every
     `strokes_each` strokes a fresh canvas begins. The same seed gives the same triples."""
     world = PaintEnv(**env)
