@@ -135,6 +135,7 @@ bool is_inside(const ShadeRequest& r) {
 
 Result<std::unique_ptr<Shader>> Shader::open(GlBackend backend, int gl_threads) {
   prepare_mesa(gl_threads);
+  if (Result<void> threads = check_mesa_threads(); !threads) return threads.error();
   std::string reasons;
   using Open = Result<std::unique_ptr<GlContext>> (*)();
   const std::pair<GlBackend, Open> backends[] = {{GlBackend::kOsmesa, open_osmesa_context},

@@ -50,4 +50,5 @@ def batch(logs: Iterable[Union[str, "os.PathLike[str]"]], client: Any = None, op
     if client is None:
         return [render(name, options, command, timeout_s) for name in names]
     futures = [client.submit(render, name, list(options), command, timeout_s, pure=False, retries=3) for name in names]
-    return client.gather(futures)
+    rows: list[Rendered] = client.gather(futures)
+    return rows

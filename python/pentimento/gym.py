@@ -3,7 +3,7 @@
 Gymnasium is not needed. `action_space` and `observation_space` have its members `shape`, `low`, `high`, `dtype`, `sample()`.
 """
 
-from typing import Any, Optional
+from typing import Any, Iterator, Optional
 
 import numpy as np
 import numpy.typing as npt
@@ -12,6 +12,7 @@ from .canvas import Canvas
 from .spline import bezier
 
 Array = npt.NDArray[Any]
+USUAL_SPACING = 0.025  # of the brush's stamps, in its diameters, as in a log
 
 
 class Box:
@@ -20,6 +21,10 @@ class Box:
     def __init__(self, low: Array, high: Array, seed: Optional[int] = None) -> None:
         self.low, self.high = np.asarray(low), np.asarray(high)
         self.shape, self.dtype = self.low.shape, self.low.dtype
+        self._random = np.random.default_rng(seed)
+
+    def seed(self, seed: Optional[int] = None) -> None:
+        """Begins the random numbers of sample() anew."""
         self._random = np.random.default_rng(seed)
 
     def sample(self) -> Array:
@@ -40,14 +45,19 @@ class PaintEnv:
     An action is a quadratic Bezier curve (x0, y0, x1, y1, x2, y2 in metres), the brush's diameter in metres at both ends
     (the smaller is reached by pressing less), the amount of each pigment of the palette (the largest is taken), the
     load of the brush 0..1, and the pressure at both ends 0..1. An observation is the picture. The reward is how much nearer
-    it came to the target, as the mean square difference of sRGB in 0..1; without a target it is 0.
+    it came to the target, as the mean square difference of sRGB in 0..1; without a target it is 0. `spacing` is how far the
+    brush's stamps are apart, in its diameters: wider ones are fewer and quicker, and paint coarser.
     """
 
     metadata = {"render_modes": ["rgb_array"]}
+    render_mode = "rgb_array"
+    spec = None
 
     def __init__(self, side: int = 128, palette: tuple[str, ...] = ("French Ultramarine", "Titanium White", "Cadmium Red"),
-                 target: Optional[Array] = None, strokes: int = 100, brush: str = "flat", threads: int = 1) -> None:
+                 target: Optional[Array] = None, strokes: int = 100, brush: str = "flat", threads: int = 1,
+                 spacing: float = USUAL_SPACING) -> None:
         self.side, self.palette, self.strokes, self.brush = side, tuple(palette), strokes, brush
+        self.spacing = spacing
         self.target = None if target is None else np.asarray(target, np.float64) / 255
         if self.target is not None and self.target.shape != (side, side, 3):
             raise ValueError(f"the target is {self.target.shape}, not {(side, side, 3)}")
@@ -64,7 +74,7 @@ class PaintEnv:
     def reset(self, *, seed: Optional[int] = None, options: Optional[dict[str, Any]] = None) -> tuple[Array, dict[str, Any]]:
         """A fresh canvas. `seed` is that of action_space.sample()."""
         if seed is not None:
-            self.action_space._random = np.random.default_rng(seed)
+            self.action_space.seed(seed)
         self.canvas = self._fresh.fork()
         self._done = 0
         picture = self.canvas.picture()
@@ -73,7 +83,7 @@ class PaintEnv:
 
     def step(self, action: Array) -> tuple[Array, float, bool, bool, dict[str, Any]]:
         """Paints a stroke. (observation, reward, terminated, truncated, info)."""
-        paint(self.canvas, action, self.palette, self.brush)
+        paint(self.canvas, action, self.palette, self.brush, self.spacing)
         self._done += 1
         picture = self.canvas.picture()
         before, self._distance = self._distance, self._distance_of(picture)
@@ -93,7 +103,8 @@ class PaintEnv:
         return {"strokes": self._done, "distance": self._distance, "time_s": self.canvas.time_s}
 
 
-def paint(canvas: Canvas, action: Array, palette: tuple[str, ...], brush: str = "flat") -> None:
+def paint(canvas: Canvas, action: Array, palette: tuple[str, ...], brush: str = "flat",
+          spacing: float = USUAL_SPACING) -> None:
     """Paints an action of PaintEnv."""
     action = np.asarray(action, np.float64)
     if action.shape != (11 + len(palette),) or not np.isfinite(action).all():
@@ -101,7 +112,7 @@ def paint(canvas: Canvas, action: Array, palette: tuple[str, ...], brush: str = 
     curve, (size0_m, size1_m) = action[:6].reshape(3, 2), action[6:8]
     amounts, load, pressures = action[8:8 + len(palette)], action[-3], action[-2:]
     largest = max(size0_m, size1_m)
-    canvas.brush(brush, size_m=float(largest), load=float(np.clip(load, 0, 1)))
+    canvas.brush(brush, size_m=float(largest), load=float(np.clip(load, 0, 1)), spacing=spacing)
     canvas.color(palette[int(np.argmax(amounts))])
     # The narrower end is pressed less.
     ends = np.clip(pressures * np.array([size0_m, size1_m]) / largest, 0, 1)
@@ -109,7 +120,8 @@ def paint(canvas: Canvas, action: Array, palette: tuple[str, ...], brush: str = 
     canvas.paint(bezier([(*curve[0], ends[0]), (*curve[1], middle), (*curve[2], ends[1])], 16), speed_m_s=2)
 
 
-def pairs(count: int, seed: int = 0, strokes_each: int = 8, **env: Any):
+def pairs(count: int, seed: int = 0, strokes_each: int = 8,
+          **env: Any) -> Iterator[tuple[Array, Array, Array]]:
     """Yields `count` triples (action, picture before, picture after), for what learns to paint. Every
     `strokes_each` strokes a fresh canvas begins. The same seed gives the same triples."""
     world = PaintEnv(**env)

@@ -14,6 +14,10 @@ def full(point: Point, pressure: float = USUAL_PRESSURE) -> FullPoint:
     return float(point[0]), float(point[1]), float(point[2]) if len(point) == 3 else pressure
 
 
+def _between(p: FullPoint, q: FullPoint, t: float) -> FullPoint:
+    return p[0] + t * (q[0] - p[0]), p[1] + t * (q[1] - p[1]), p[2] + t * (q[2] - p[2])
+
+
 def bezier(points: Iterable[Point], count: int = 32) -> list[FullPoint]:
     """`count` + 1 points along the Bezier curve with these control points; pressures go along."""
     control = [full(point) for point in points]
@@ -24,7 +28,7 @@ def bezier(points: Iterable[Point], count: int = 32) -> list[FullPoint]:
         t = i / count
         row = control
         while len(row) > 1:  # de Casteljau
-            row = [tuple(a + t * (b - a) for a, b in zip(p, q)) for p, q in zip(row, row[1:])]
+            row = [_between(p, q, t) for p, q in zip(row, row[1:])]
         curve.append(row[0])
     return curve
 
@@ -39,7 +43,8 @@ def smooth(points: Iterable[Point], per_part: int = 8) -> list[FullPoint]:
         a, b, c, d = (through[min(max(k, 0), len(through) - 1)] for k in (i - 1, i, i + 1, i + 2))
         for k in range(1, per_part + 1):
             t = k / per_part
-            curve.append(tuple(
+            x, y, pressure = (
                 0.5 * (2 * q + (r - p) * t + (2 * p - 5 * q + 4 * r - s) * t * t
-                       + (3 * q - p - 3 * r + s) * t ** 3) for p, q, r, s in zip(a, b, c, d)))
+                       + (3 * q - p - 3 * r + s) * t ** 3) for p, q, r, s in zip(a, b, c, d))
+            curve.append((x, y, pressure))
     return [(x, y, min(1.0, max(0.0, pressure))) for x, y, pressure in curve]

@@ -4,6 +4,7 @@ import json
 import os
 import random
 import subprocess
+import sys
 
 import numpy as np
 import pytest
@@ -107,6 +108,38 @@ def test_the_picture_is_that_of_the_file(tmp_path):
     painted.save(tmp_path / "a.png")
     assert (cv2.imread(str(tmp_path / "a.png"))[..., ::-1] == picture).all()
     assert painted.picture(40).shape == (30, 40, 3)
+
+
+FORKS = """
+import multiprocessing, sys, pentimento
+
+def paint(on):
+    return on.paint([(0.1, 0.1), (0.3, 0.2)]).picture().tobytes()
+
+def child(on, queue):
+    try:
+        queue.put(paint(on))
+    except OSError as problem:
+        queue.put(str(problem))
+
+canvas = pentimento.Canvas(0.4, 0.3, grid=(80, 60), threads=int(sys.argv[1]))
+canvas.picture()
+fork = multiprocessing.get_context("fork")
+queue = fork.Queue()
+process = fork.Process(target=child, args=(canvas, queue))
+process.start()
+told = queue.get(timeout=60)
+process.join()
+print("the same" if told == paint(canvas) else told)
+"""
+
+
+@pytest.mark.parametrize("threads, says", [(1, "the same"), (2, "let the canvas have one thread")])
+def test_a_forked_process_paints_and_shows_or_says_why_not(threads, says):
+    """In an interpreter of its own: Mesa keeps the threads of the first picture."""
+    told = subprocess.run([sys.executable, "-c", FORKS, str(threads)], capture_output=True, text=True, timeout=120)
+    assert told.returncode == 0, told.stderr
+    assert says in told.stdout
 
 
 @pytest.mark.parametrize("wrong, says", [

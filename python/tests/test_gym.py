@@ -22,6 +22,24 @@ def test_an_episode_has_the_shape_of_gymnasiums():
     assert (again == picture).all(), "a fresh canvas"
 
 
+def test_wider_spacing_paints_much_the_same_stroke():
+    stroke = np.array([0.1, 0.5, 0.5, 0.5, 0.9, 0.5, 0.2, 0.2, 1, 0, 1, 1, 1], np.float32)
+    wet = []
+    for spacing in (gym.USUAL_SPACING, 0.125):
+        env = gym.PaintEnv(spacing=spacing, **SMALL)
+        env.reset()
+        env.step(stroke)
+        wet.append(env.canvas.state.depth_m.sum())
+    assert wet[0] != wet[1] == pytest.approx(wet[0], rel=0.05), "as much paint, in fewer stamps"
+
+
+def test_a_space_can_be_seeded():
+    spaces = [gym.PaintEnv(**SMALL).action_space for _ in range(2)]
+    for space in spaces:
+        space.seed(5)
+    assert (spaces[0].sample() == spaces[1].sample()).all()
+
+
 def test_a_seed_gives_the_same_episode():
     def episode():
         env = gym.PaintEnv(**SMALL)

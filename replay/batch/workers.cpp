@@ -77,9 +77,10 @@ bool Workers::may_start(const Task& task) const {
 std::vector<std::string> Workers::words_of(const Task& task, const std::string& work) const {
   // A name that begins with a dash is no option.
   const std::string log = task.job.log.starts_with('-') ? "./" + task.job.log : task.job.log;
-  std::vector<std::string> words = {"render", log,          "-o",   work + "/picture.png",
-                                    "--json", "--progress", "none", "--quiet"};
-  if (limits_.dumps) words.insert(words.end(), {"-o", work + "/state.h5"});
+  std::vector<std::string> words = {"render", log, "--json", "--progress", "none", "--quiet"};
+  if (limits_.pictures) words.insert(words.end(), {"-o", work + "/picture.png"});
+  // A render has an output; without a picture a dump is the cheapest, and it need not be kept.
+  if (limits_.dumps || !limits_.pictures) words.insert(words.end(), {"-o", work + "/state.h5"});
   if (!says_threads(task.job.options)) {
     const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
     words.insert(words.end(), {"--threads", std::to_string(std::max(1, cores / limits_.at_once))});

@@ -290,7 +290,9 @@ Result<void> Easel::Impl::shade(const OutputSize& size, PictureSink& sink) {
 Result<void> Easel::Impl::open_shader() {
   if (problem) return *problem;
   if (shader) return {};
-  Result<std::unique_ptr<Shader>> opened = Shader::open(GlBackend::kAuto, threads.count());
+  // Without a thread of its own Mesa also works in a process that is forked off.
+  const int gl_threads = threads.count() > 1 ? threads.count() : 0;
+  Result<std::unique_ptr<Shader>> opened = Shader::open(GlBackend::kAuto, gl_threads);
   if (!opened) return opened.error();
   shader = std::move(*opened);
   return {};

@@ -29,7 +29,10 @@ Result<std::unique_ptr<GlContext>> open_osmesa_context();
 Result<std::unique_ptr<GlContext>> open_egl_context();
 
 /// What Mesa reads from the environment when its first context opens: its threads (0 = it works in
-/// the calling thread), and that it keeps no compiled shaders on disk.
+/// the calling thread), and that it keeps no compiled shaders on disk. Later calls change nothing.
 void prepare_mesa(int gl_threads);
+/// An error in a process that was forked off one in which Mesa has threads: here it has none, and
+/// would wait for them for ever.
+Result<void> check_mesa_threads();
 
 }  // namespace pentimento

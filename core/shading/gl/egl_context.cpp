@@ -46,10 +46,11 @@ class EglContext : public GlContext {
   }
   ~EglContext() override {
     // The display stays: it is one per process, and other contexts may live on it.
-    if (context_ != EGL_NO_CONTEXT) egl_.destroy(display_, context_);
+    if (context_ != EGL_NO_CONTEXT && check_mesa_threads().ok()) egl_.destroy(display_, context_);
   }
 
   Result<void> make_current() override {
+    if (Result<void> threads = check_mesa_threads(); !threads) return threads;
     egl_.bind_api(EGL_OPENGL_API);  // per thread
     if (egl_.make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_TRUE) {
       return {};

@@ -1,3 +1,5 @@
+#include <unistd.h>
+
 #include <cstdlib>
 #include <string>
 
@@ -5,9 +7,28 @@
 
 namespace pentimento {
 
+namespace {
+/// The process that Mesa's threads are of; 0 if it has none. They begin with its first context and
+/// end with the process, whatever contexts there are.
+pid_t process_of_threads(int gl_threads) {
+  static const pid_t process = gl_threads > 0 ? getpid() : 0;
+  return process;
+}
+}  // namespace
+
 void prepare_mesa(int gl_threads) {
+  process_of_threads(gl_threads);
   setenv("LP_NUM_THREADS", std::to_string(gl_threads).c_str(), 1);
   setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
+}
+
+Result<void> check_mesa_threads() {
+  const pid_t process = process_of_threads(0);
+  if (process == 0 || process == getpid()) return {};
+  return Error{
+      ErrorCode::kIo,
+      "no picture can be made in a process that was forked after one had been made by several "
+      "threads: let the canvas have one thread, or start the process anew (spawn)"};
 }
 
 }  // namespace pentimento

@@ -28,10 +28,11 @@ class OsmesaContext : public GlContext {
     return std::unique_ptr<GlContext>(std::move(context));
   }
   ~OsmesaContext() override {
-    if (context_ != nullptr) destroy_(context_);
+    if (context_ != nullptr && check_mesa_threads().ok()) destroy_(context_);
   }
 
   Result<void> make_current() override {
+    if (Result<void> threads = check_mesa_threads(); !threads) return threads;
     // OSMesa wants a buffer for its window; pictures go to framebuffer objects.
     if (make_current_(context_, window_.data(), kUnsignedByte, kWindow, kWindow) != 0) {
       return {};

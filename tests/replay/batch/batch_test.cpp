@@ -82,6 +82,21 @@ TEST(Batch, EachShardDoesItsPartAndTheManifestIsWhole) {
   EXPECT_EQ(std::count(manifest.begin(), manifest.end(), '\n'), 12);
 }
 
+TEST(Batch, StatesAloneAreRenderedWithoutPictures) {
+  MadeBatch batch;
+  batch.add("well", "ok");
+  batch.request.pictures = false;
+  const BatchSummary states = batch.run();
+  EXPECT_TRUE(MadeBatch::row(states, "well").passed());
+  const std::string picture =
+      batch.path("run/results/" + MadeBatch::row(states, "well").key + "/picture.png");
+  EXPECT_FALSE(std::filesystem::exists(picture));
+  EXPECT_EQ(batch.run().rendered, 0);
+  batch.request.pictures = true;
+  EXPECT_EQ(batch.run().rendered, 1) << "the picture is wanted now";
+  EXPECT_TRUE(std::filesystem::exists(picture));
+}
+
 TEST(Batch, MemoryForOneAtATimeIsEnoughForAll) {
   MadeBatch batch;
   for (int i = 0; i < 4; ++i)
