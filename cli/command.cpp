@@ -3,22 +3,16 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
-#include <algorithm>
 #include <cstdio>
 #include <string_view>
 
 #include "cli/describe.h"
+#include "formats/io/utf8.h"
 #include "formats/log/json/nearest_name.h"
 
 namespace pentimento::cli {
 
 namespace {
-std::string one_line(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
-  return text;
-}
-
 /// The names of all options of `app`, with their dashes.
 std::vector<std::string> option_names(const CLI::App& app) {
   std::vector<std::string> names;

@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "cli/command.h"
+#include "formats/io/utf8.h"
 #include "replay/job/report_object.h"
 
 namespace pentimento::cli {
@@ -95,7 +96,7 @@ void ProgressPrinter::say(const std::string& text) {
   if (mode_ == ProgressMode::kNdjson) {
     std::fprintf(stderr, "%s\n", ReportObject().add("warning", text).text().c_str());
   } else {
-    std::fprintf(stderr, "pentimento: %s\n", text.c_str());
+    std::fprintf(stderr, "pentimento: %s\n", one_line(text).c_str());
   }
 }
 

@@ -42,9 +42,10 @@ class FluidScheme {
   /// What the scheme keeps from step to step beside the state: sums behind statistics(), and what
   /// it fixed at its first step.
   virtual std::vector<double> memory() const = 0;
-  /// A new scheme goes on with the memory of another on the same canvas. False if `memory` is not
-  /// that of such a scheme; then nothing changed.
-  [[nodiscard]] virtual bool recall(std::span<const double> memory) = 0;
+  /// Whether `memory` is that of such a scheme.
+  virtual bool fits(std::span<const double> memory) const = 0;
+  /// A new scheme goes on with the memory of another on the same canvas, which fits.
+  virtual void recall(std::span<const double> memory) = 0;
 };
 
 }  // namespace pentimento

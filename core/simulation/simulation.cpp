@@ -206,7 +206,7 @@ std::unique_ptr<Simulation> Simulation::fork(const Threads& threads) const {
   to.touches = from.touches;
   to.gravity_m_s2 = from.gravity_m_s2;
   to.stamps = from.stamps;
-  PENTIMENTO_CHECK(to.scheme->recall(from.scheme->memory()));
+  to.scheme->recall(from.scheme->memory());
   return twin;
 }
 
@@ -220,28 +220,36 @@ SimulationMemory Simulation::memory() const {
   return memory;
 }
 
-bool Simulation::recall(CanvasState state, const SimulationMemory& memory) {
+bool Simulation::fits(const SimulationMemory& memory) const {
+  const auto channels = static_cast<std::size_t>(basis().channels());
+  const PaintAccount& account = memory.account;
+  for (const PaintFlow* flow : {&account.deposited, &account.picked_up, &account.dried})
+    if (flow->channel.size() != channels) return false;
+  const std::size_t texels = Reservoir(basis().channels()).content().texels.size();
+  for (const TouchMemory& touch : memory.touches)
+    if (touch.reservoir.texels.size() != texels) return false;
+  return impl_->scheme->fits(memory.scheme);
+}
+
+void Simulation::recall(CanvasState state, const SimulationMemory& memory) {
   Impl& m = *impl_;
-  const auto channels = static_cast<std::size_t>(m.setup.basis.channels());
+  PENTIMENTO_CHECK(fits(memory));
   PENTIMENTO_CHECK(state.geometry.width == m.setup.geometry.width &&
                    state.geometry.height == m.setup.geometry.height &&
                    state.layers == m.model.layers && state.channels == m.setup.basis.channels());
   state.paper_m = std::move(m.state.paper_m);
   m.state = std::move(state);
   m.account = memory.account;
-  for (const PaintFlow* flow : {&m.account.deposited, &m.account.picked_up, &m.account.dried})
-    if (flow->channel.size() != channels) return false;
   m.touches.clear();
   for (const TouchMemory& touch : memory.touches) {
     TouchState& made = m.touches.try_emplace(touch.id, m.state.channels).first->second;
-    if (touch.reservoir.texels.size() != made.reservoir.content().texels.size()) return false;
     made.reservoir.restore(touch.reservoir);
     made.stroke_id = touch.stroke_id;
     made.down = touch.down;
   }
   m.stamps = memory.stamps;
   m.adopt_state();
-  return m.scheme->recall(memory.scheme);
+  m.scheme->recall(memory.scheme);
 }
 
 void Simulation::restore(CanvasState state) {

@@ -69,10 +69,12 @@ class Simulation : public Painter {
   /// All that must be saved between two steps beside state(), if the hand's settings (brush,
   /// sliders, colours, gravity, model) are brought back by doing the same again.
   SimulationMemory memory() const;
+  /// Whether `memory` can be that of a simulation with this one's setup.
+  bool fits(const SimulationMemory& memory) const;
   /// Goes on as the simulation would that had this state and memory between two steps. This one has
-  /// the same setup, and its hand did the same. The paper stays this one's; the listener is not
-  /// told. False if the memory does not fit; then the simulation must not be used any more.
-  [[nodiscard]] bool recall(CanvasState state, const SimulationMemory& memory);
+  /// the same setup, and its hand did the same; the memory fits. The paper stays this one's; the
+  /// listener is not told.
+  void recall(CanvasState state, const SimulationMemory& memory);
 
   /// One simulation step. Returns false if it changed nothing and nothing waits: the caller may
   /// then skip steps with skip() until the next event, with the same result.

@@ -1,5 +1,7 @@
 #include "formats/checkpoint/memory_part.h"
 
+#include <utility>
+
 namespace pentimento::checkpoint {
 
 namespace {
@@ -54,8 +56,12 @@ void put_memory(const SimulationMemory& memory, ArchiveWriter& to) {
 SimulationMemory take_memory(ArchiveReader& from) {
   SimulationMemory memory;
   const std::uint64_t touches = from.count(kLeastTouchBytes);
-  for (std::uint64_t i = 0; i < touches && from.ok(); ++i)
-    memory.touches.push_back(take_touch(from));
+  for (std::uint64_t i = 0; i < touches && from.ok(); ++i) {
+    TouchMemory touch = take_touch(from);
+    if (!memory.touches.empty() && touch.id <= memory.touches.back().id)
+      from.fail("its touches are not in order");
+    memory.touches.push_back(std::move(touch));
+  }
   memory.account.deposited = take_flow(from);
   memory.account.picked_up = take_flow(from);
   memory.account.dried = take_flow(from);

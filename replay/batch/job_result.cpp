@@ -66,7 +66,8 @@ JobInputs inputs_of(const BatchJob& job, const std::string& folder, const std::s
   inputs.log_sha256 = hash_of_file(log);
   log::ReaderOptions reading;
   reading.salvage = true;
-  reading.allow_outside = true;
+  reading.allow_outside =
+      std::find(job.options.begin(), job.options.end(), "--allow-outside") != job.options.end();
   if (const Result<LogFacts> facts = validate_log(log, reading)) inputs.files = facts->files;
   add_files_of_options(inputs.options, folder, inputs.files);
   return inputs;

@@ -61,23 +61,24 @@ Result<void> Checkpointer::begin(const ReplayParts& parts, Binding binding) {
   if (slots.empty()) return {};
   std::string first_problem;
   for (const std::uint64_t generation : slots) {
-    const Result<void> resumed = resume_from(generation);
-    if (resumed) {
-      if (first_problem.empty()) return {};
-      report_.older_slot = true;
-      control_.warning(first_problem + "; the slot before it is used");
-      return {};
+    Result<Slot> slot = take(generation);
+    if (slot) {
+      report_.older_slot = !first_problem.empty();
+      if (report_.older_slot) control_.warning(first_problem + "; the slot before it is used");
+      return go_on_from(generation, std::move(*slot));
     }
-    const ErrorCode code = resumed.error().code;
-    if (code != ErrorCode::kBadInput && code != ErrorCode::kIo) return resumed.error();
-    if (first_problem.empty()) first_problem = resumed.error().message;
+    const ErrorCode code = slot.error().code;
+    if (code != ErrorCode::kBadInput && code != ErrorCode::kIo) return slot.error();
+    if (first_problem.empty()) first_problem = slot.error().message;
   }
   return Error{ErrorCode::kBadInput,
                fmt::format("{}; no slot in {} is whole: remove the folder to begin anew",
                            first_problem, folder_->path())};
 }
 
-Result<void> Checkpointer::resume_from(std::uint64_t generation) {
+/// Reads and checks a slot, and brings back what lies in files beside it. If that fails, another
+/// slot can still be tried.
+Result<Slot> Checkpointer::take(std::uint64_t generation) {
   const std::string name = folder_->slot_file(generation);
   const Result<checkpoint::SlotParts> parts = checkpoint::read_slot(name);
   if (!parts) return parts.error();
@@ -89,26 +90,44 @@ Result<void> Checkpointer::resume_from(std::uint64_t generation) {
   const int detail = follower() == nullptr ? 1 : follower()->canvas().layout().factor();
   Result<Slot> slot = decode_slot(
       *parts, {{state.geometry, state.layers, state.channels, state.bands}, detail}, name);
-  if (!slot) return slot.error();
-  if (Result<void> recalled = recall(*slot); !recalled) return recalled;
-  newest_ = generation;
-  stops_done_ = slot->stops_done;
-  saved_ = now();
-  report_.resumed_step = slot->step;
-  return {};
+  if (!slot) return slot;
+  if (slot->stops_done >= parts_->files.size()) {
+    return Error{ErrorCode::kBadInput,
+                 fmt::format("{}: part \"position\": it has more stops than this job", name)};
+  }
+  if (!parts_->simulation.fits(slot->memory)) {
+    return Error{ErrorCode::kBadInput,
+                 fmt::format("{}: part \"memory\": what its brushes hold does not fit", name)};
+  }
+  if (slot->detail) {
+    Result<void> recalled = planes_.recall(*slot->detail, std::move(slot->planes), *follower());
+    if (!recalled) return recalled.error();
+  }
+  if (Result<void> kept_outputs =
+          parts_->outputs.recall(slot->outputs, folder_->path(), parts_->files);
+      !kept_outputs)
+    return kept_outputs.error();
+  return slot;
 }
 
-/// What may fail comes first: then another slot can still be tried.
-Result<void> Checkpointer::recall(Slot& slot) {
-  if (slot.detail) {
-    Result<void> recalled = planes_.recall(*slot.detail, std::move(slot.planes), *follower());
-    if (!recalled) return recalled;
-  }
-  if (Result<void> kept = parts_->outputs.recall(slot.outputs, folder_->path()); !kept) return kept;
+/// The player moves, and no other slot can be tried after that.
+Result<void> Checkpointer::go_on_from(std::uint64_t generation, Slot slot) {
   if (Result<void> skipped = parts_->player.skip_to(slot.position); !skipped) return skipped;
-  if (parts_->simulation.recall(std::move(slot.guide), slot.memory)) return {};
-  return Error{ErrorCode::kUsage,
-               fmt::format("{}: what its brushes hold does not fit this job", folder_->path())};
+  std::set<int> down;
+  for (const TouchMemory& touch : slot.memory.touches)
+    if (touch.down) down.insert(touch.id);
+  if (down != parts_->player.touches_down()) {
+    return Error{ErrorCode::kBadInput,
+                 fmt::format("{}: its touches are not those of the log: remove the folder to begin "
+                             "anew",
+                             folder_->slot_file(generation))};
+  }
+  parts_->simulation.recall(std::move(slot.guide), slot.memory);
+  newest_ = generation;
+  stops_done_ = slot.stops_done;
+  saved_ = now();
+  report_.resumed_step = slot.step;
+  return {};
 }
 
 Checkpointer::Moment Checkpointer::now() const {

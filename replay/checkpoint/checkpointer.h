@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <vector>
 
 #include "core/base/result.h"
 #include "core/simulation/simulation.h"
@@ -16,6 +17,7 @@
 #include "replay/job/control.h"
 #include "replay/job/render_job.h"
 #include "replay/job/report.h"
+#include "replay/output/output_plan.h"
 #include "replay/output/output_set.h"
 #include "replay/play/player.h"
 #include "replay/play/replay_detail.h"
@@ -29,6 +31,7 @@ struct ReplayParts {
   ReplayDetail* detail = nullptr;  // if there is one
   Player& player;
   OutputSet& outputs;
+  const std::vector<std::vector<PlannedOutput>>& files;  // of each stop
 };
 
 class Checkpointer final : public StepPause {
@@ -71,8 +74,8 @@ class Checkpointer final : public StepPause {
   };
   Moment now() const;
   DetailFollower* follower() const;
-  Result<void> resume_from(std::uint64_t generation);
-  Result<void> recall(Slot& slot);
+  Result<Slot> take(std::uint64_t generation);
+  Result<void> go_on_from(std::uint64_t generation, Slot slot);
   bool is_due() const;
   bool is_affordable() const;
   double expected_cost_s() const;

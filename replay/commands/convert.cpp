@@ -10,6 +10,7 @@
 
 #include "formats/import/recording_file.h"
 #include "formats/io/sha256.h"
+#include "formats/io/utf8.h"
 #include "formats/log/edit/editing_writer.h"
 #include "formats/log/edit/origin.h"
 #include "formats/log/json/nearest_name.h"
@@ -228,7 +229,9 @@ std::string list_json(const std::vector<std::string>& texts) {
 }
 
 std::string list_text(const char* what, const std::vector<std::string>& texts) {
-  return texts.empty() ? "" : fmt::format("{}: {}\n", what, fmt::join(texts, ", "));
+  return texts.empty()
+             ? ""
+             : fmt::format("{}: {}\n", what, one_line(fmt::format("{}", fmt::join(texts, ", "))));
 }
 }  // namespace
 

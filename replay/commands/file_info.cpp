@@ -13,6 +13,7 @@
 #include "formats/import/sketch/recording.h"
 #include "formats/import/sketch/sketch_log.h"
 #include "formats/io/sha256.h"
+#include "formats/io/utf8.h"
 #include "formats/log/stream/log_start.h"
 #include "formats/log/write/writer.h"
 #include "replay/job/report_object.h"
@@ -239,7 +240,7 @@ std::string recording_text(const FileInfo::Recording& recording, bool on_termina
   const log::Summary& sum = recording.log.summary;
   std::string text = fmt::format("recording, {}\n", recording.format);
   const auto line = [&](std::string_view key, const std::string& value) {
-    if (!value.empty()) text += fmt::format("{:<12} {}\n", key, value);
+    if (!value.empty()) text += fmt::format("{:<12} {}\n", key, one_line(value));
   };
   line("title", recording.title);
   line("strokes", fmt::format("{}, {} samples", recording.strokes, recording.samples));
@@ -264,7 +265,7 @@ std::string log_text(const LogFacts& log, bool on_terminal) {
   const log::Header& h = log.header;
   std::string text = fmt::format("action log, version {}\n", h.version);
   const auto line = [&](std::string_view key, const std::string& value) {
-    if (!value.empty()) text += fmt::format("{:<12} {}\n", key, value);
+    if (!value.empty()) text += fmt::format("{:<12} {}\n", key, one_line(value));
   };
   line("title", h.title);
   line("author", h.author);
@@ -287,7 +288,7 @@ std::string log_text(const LogFacts& log, bool on_terminal) {
     const std::string swatch = swatch_text(log.swatches[i], on_terminal);
     text += log.pigments[i] == log.swatches[i]
                 ? fmt::format("  {}\n", swatch)
-                : fmt::format("  {:<24} {}\n", log.pigments[i], swatch);
+                : fmt::format("  {:<24} {}\n", one_line(log.pigments[i]), swatch);
   }
   for (const std::string& name : log.summary.marks) line("mark", name);
   for (const auto& [name, sha256] : log.files) line("file", name + "  " + sha256);
@@ -300,9 +301,9 @@ std::string output_text(const FileDescription& output) {
   std::string text =
       fmt::format("{}, {} x {}, {}\n", output.format, output.width, output.height, output.samples);
   if (output.dpi > 0) text += fmt::format("{} dots per inch\n", output.dpi);
-  if (!output.profile.empty()) text += fmt::format("colours: {}\n", output.profile);
+  if (!output.profile.empty()) text += fmt::format("colours: {}\n", one_line(output.profile));
   for (const auto& [key, value] : output.provenance) {
-    text += fmt::format("{:<24} {}\n", key, value);
+    text += fmt::format("{:<24} {}\n", one_line(key), one_line(value));
   }
   return text;
 }

@@ -198,7 +198,7 @@ Result<void> Replay::begin() {
 Result<void> Replay::begin_checkpoint() {
   if (!checkpoint_) return {};
   watch_.start("resume");
-  return checkpoint_->begin({*simulation_, fine_.get(), *player_, outputs_},
+  return checkpoint_->begin({*simulation_, fine_.get(), *player_, outputs_, files_},
                             binding_of(job_, session_, files_of_options_));
 }
 

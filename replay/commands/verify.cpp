@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "formats/io/utf8.h"
 #include "formats/log/stream/line_source.h"
 #include "replay/commands/render.h"
 #include "replay/compare/compare.h"
@@ -198,9 +199,9 @@ Result<VerifyReport> verify(const VerifyRequest& request, const Control& control
 std::string verify_text(const VerifyReport& report) {
   if (!report.difference) return fmt::format("equal: {} steps\n", report.steps);
   const HashDifference& d = *report.difference;
-  std::string text =
-      fmt::format("different from step {} on ({:.3f} s), after line {} of the log{}\n", d.step,
-                  report.time_s, d.line, report.event.empty() ? "" : " (" + report.event + ")");
+  std::string text = fmt::format(
+      "different from step {} on ({:.3f} s), after line {} of the log{}\n", d.step, report.time_s,
+      d.line, report.event.empty() ? "" : " (" + one_line(report.event) + ")");
   if (!d.note.empty()) text += d.note + "\n";
   if (!d.fields.empty()) text += fmt::format("fields: {}\n", fmt::join(d.fields, ", "));
   for (std::size_t i = 0; i < std::min(d.tiles.size(), kMostTilesTold); ++i)

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "formats/checkpoint/synced_file.h"
 
@@ -47,6 +48,20 @@ std::vector<KeptOutput> take_outputs(checkpoint::ArchiveReader& from) {
     outputs.push_back(std::move(output));
   }
   return outputs;
+}
+
+bool is_planned(const std::string& file, const std::vector<std::vector<PlannedOutput>>& planned) {
+  const auto is_it = [&](const PlannedOutput& output) {
+    if (output.path == file) return true;
+    // aov_path() puts the plane's name, in which there is no slash, before the extension.
+    const std::string extension = std::filesystem::path(output.path).extension().string();
+    const std::string stem = output.path.substr(0, output.path.size() - extension.size()) + ".";
+    return output.kind == OutputKind::kPng && file.starts_with(stem) && file.ends_with(extension) &&
+           file.find('/', stem.size()) == std::string::npos;
+  };
+  return std::any_of(planned.begin(), planned.end(), [&](const auto& outputs) {
+    return std::any_of(outputs.begin(), outputs.end(), is_it);
+  });
 }
 
 std::string kept_file(const std::string& folder, std::size_t index) {

@@ -11,6 +11,7 @@
 #include "formats/checkpoint/archive.h"
 #include "formats/io/output_file.h"
 #include "replay/job/report.h"
+#include "replay/output/output_plan.h"
 
 namespace pentimento {
 
@@ -22,6 +23,10 @@ struct KeptOutput {
 
 void put_outputs(const std::vector<KeptOutput>& outputs, checkpoint::ArchiveWriter& to);
 std::vector<KeptOutput> take_outputs(checkpoint::ArchiveReader& from);
+
+/// Whether `file` is the name of one of the planned files or of an AOV beside one of them: a
+/// checkpoint that somebody forged must not have a job write elsewhere.
+bool is_planned(const std::string& file, const std::vector<std::vector<PlannedOutput>>& planned);
 
 /// Where a checkpoint in `folder` keeps the bytes of output `index`.
 std::string kept_file(const std::string& folder, std::size_t index);

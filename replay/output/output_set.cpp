@@ -182,11 +182,17 @@ Result<std::vector<KeptOutput>> OutputSet::keep(const std::string& folder) {
   return outputs;
 }
 
-Result<void> OutputSet::recall(const std::vector<KeptOutput>& outputs, const std::string& folder) {
+Result<void> OutputSet::recall(const std::vector<KeptOutput>& outputs, const std::string& folder,
+                               const std::vector<std::vector<PlannedOutput>>& planned) {
   pending_.clear();
   done_ = 0;
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     const WrittenFile& file = outputs[i].file;
+    if (!is_planned(file.file, planned)) {
+      return Error{
+          ErrorCode::kBadInput,
+          fmt::format("{}: a slot names {}, which is no output of this job", folder, file.file)};
+    }
     if (outputs[i].frames) {
       Result<Pending> video = make_video(file.file, i, *outputs[i].frames);
       if (!video) return video.error();

@@ -57,8 +57,10 @@ class OutputSet {
   /// Keeps the outputs of all stops that are done in `folder`. Errors: kIo.
   Result<std::vector<KeptOutput>> keep(const std::string& folder);
   /// The outputs are those that keep() returned, with their bytes in `folder`; other ones that
-  /// there are go away. Errors: kIo, kBadInput for bytes that are damaged.
-  Result<void> recall(const std::vector<KeptOutput>& outputs, const std::string& folder);
+  /// there are go away. Errors: kIo, kBadInput for bytes that are damaged and for a name that is
+  /// not `planned`.
+  Result<void> recall(const std::vector<KeptOutput>& outputs, const std::string& folder,
+                      const std::vector<std::vector<PlannedOutput>>& planned);
   /// Gives all files their names.
   Result<std::vector<WrittenFile>> publish();
 

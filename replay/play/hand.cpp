@@ -73,6 +73,8 @@ void Hand::slide(const log::Slider& slider) {
 }
 
 Result<void> Hand::follow(const Cue& cue) {
+  if (const auto* begin = std::get_if<StrokeBegin>(&cue.what)) followed_down_.insert(begin->slot);
+  if (const auto* end = std::get_if<StrokeEnd>(&cue.what)) followed_down_.erase(end->slot);
   const auto* action = std::get_if<log::Action>(&cue.what);
   if (action == nullptr || std::holds_alternative<log::Dry>(*action)) return {};
   if (std::holds_alternative<log::Clear>(*action)) {

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <optional>
+#include <set>
 
 #include "core/brush/brush_settings.h"
 #include "core/optics/paints/paint_maker.h"
@@ -38,6 +39,8 @@ class Hand {
   /// the detail canvas) and not to the paint: for a canvas that has it already. Errors: as of
   /// apply().
   Result<void> follow(const Cue& cue);
+  /// Of the strokes that it followed: the touches that are still down.
+  const std::set<int>& followed_down() const { return followed_down_; }
 
  private:
   Result<void> act(const log::Action& action);
@@ -50,6 +53,7 @@ class Hand {
   Painter& painter_;
   const HandInput input_;
   BrushSettings settings_;
+  std::set<int> followed_down_;
 };
 
 /// From the accelerometer's frame (y up) into core's (y down).

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <set>
 
 #include "core/base/result.h"
 #include "core/simulation/simulation.h"
@@ -56,6 +57,8 @@ class Player {
   /// not. Call it first; then the simulation recalls the canvas that belongs to the position.
   /// Errors: as above, and kBadInput for a position that the log does not have.
   Result<void> skip_to(const PlayPosition& position);
+  /// The touches that are down where it skipped to.
+  const std::set<int>& touches_down() const { return in_.hand.followed_down(); }
 
   /// Whether nothing of a step is half done: no cue was played since the last step.
   bool is_between_steps() const { return cues_ == cues_of_whole_steps_; }

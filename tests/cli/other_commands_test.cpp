@@ -388,6 +388,20 @@ TEST(CommandInfo, KnowsLogsDumpsAndPictures) {
   }
 }
 
+TEST(CommandInfo, ShowsNamesThatATerminalDoesNotObey) {
+  Workplace place;
+  std::string log = kSmallLog;
+  log.replace(log.find(R"("palette")"), 0, R"("title":"\u001b[31m",)");
+  place.write("b.jsonl",
+              log + R"({"t":3,"type":"mark","name":"\u001b]0;mine\u0007\u009b2J"})" + "\n");
+  const Ran info = place.run("info b.jsonl");
+  ASSERT_EQ(info.code, 0) << info.err;
+  EXPECT_EQ(info.out.find('\x1b'), std::string::npos) << info.out;
+  EXPECT_EQ(info.out.find('\a'), std::string::npos) << info.out;
+  EXPECT_EQ(info.out.find("\u009b"), std::string::npos) << info.out;
+  EXPECT_NE(info.out.find("]0;mine"), std::string::npos) << info.out;
+}
+
 TEST(CommandValidate, GivesAVerdictPerLog) {
   Workplace place;
   place.write("b.jsonl", "{}\n");

@@ -503,16 +503,19 @@ std::vector<double> ConservativeScheme::memory() const {
           depth_max_m_};
 }
 
-bool ConservativeScheme::recall(std::span<const double> memory) {
+bool ConservativeScheme::fits(std::span<const double> memory) const {
   const auto is_sum = [](double v) { return v >= 0 && v <= std::numeric_limits<float>::max(); };
-  if (memory.size() != 6 || !std::all_of(memory.begin(), memory.end(), is_sum)) return false;
+  return memory.size() == 6 && std::all_of(memory.begin(), memory.end(), is_sum);
+}
+
+void ConservativeScheme::recall(std::span<const double> memory) {
+  PENTIMENTO_CHECK(fits(memory));
   if (memory[0] > 0) make_tiles(static_cast<float>(memory[0]));
   steps_ = memory[1];
   awake_share_sum_ = memory[2];
   awake_share_max_ = memory[3];
   speed_max_m_s_ = memory[4];
   depth_max_m_ = memory[5];
-  return true;
 }
 
 }  // namespace pentimento::conservative

@@ -29,7 +29,8 @@ class ConservativeScheme : public FluidScheme {
   bool step(CanvasState& state, const StepInput& in) override;
   std::vector<std::pair<std::string, double>> statistics() const override;
   std::vector<double> memory() const override;
-  bool recall(std::span<const double> memory) override;
+  bool fits(std::span<const double> memory) const override;
+  void recall(std::span<const double> memory) override;
   /// Share of the tiles that were awake in the last step.
   double awake_share() const { return tiles_ ? tiles_->awake_share() : 0; }
   /// `done` is called after each pass of a step with the pass's name. For measuring.

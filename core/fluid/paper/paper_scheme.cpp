@@ -273,14 +273,17 @@ std::vector<double> PaperScheme::memory() const {
   return {max_speed_m_s_, live_frac_sum_, static_cast<double>(steps_)};
 }
 
-bool PaperScheme::recall(std::span<const double> memory) {
+bool PaperScheme::fits(std::span<const double> memory) const {
   const auto is_sum = [](double v) { return v >= 0 && v <= std::numeric_limits<float>::max(); };
-  if (memory.size() != 3 || !std::all_of(memory.begin(), memory.end(), is_sum)) return false;
-  if (memory[2] > kMostSteps) return false;
+  return memory.size() == 3 && std::all_of(memory.begin(), memory.end(), is_sum) &&
+         memory[2] <= kMostSteps;
+}
+
+void PaperScheme::recall(std::span<const double> memory) {
+  PENTIMENTO_CHECK(fits(memory));
   max_speed_m_s_ = memory[0];
   live_frac_sum_ = memory[1];
   steps_ = static_cast<std::int64_t>(memory[2]);
-  return true;
 }
 
 }  // namespace pentimento::paper

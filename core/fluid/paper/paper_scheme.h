@@ -23,7 +23,8 @@ class PaperScheme : public FluidScheme {
   /// max_speed_m_s: the fastest cell so far; live_frac: mean share of the canvas computed per step.
   std::vector<std::pair<std::string, double>> statistics() const override;
   std::vector<double> memory() const override;
-  bool recall(std::span<const double> memory) override;
+  bool fits(std::span<const double> memory) const override;
+  void recall(std::span<const double> memory) override;
 
  private:
   void prepare(CanvasState& state, const StepInput& in);

@@ -23,6 +23,16 @@ TEST(ValidUtf8, ReplacesEachByteOfWhatIsNoCharacter) {
   EXPECT_EQ(valid_utf8(std::string_view("a\0b", 3)), "a" + kBad + "b");
 }
 
+TEST(OneLine, HasNoCharacterThatATerminalObeys) {
+  EXPECT_EQ(one_line("a\x1b[31m\tb\n\x7f"), "a [31m b  ");
+  EXPECT_EQ(one_line("a\xC2\x80\xC2\x9B"
+                     "31m"),
+            "a  31m");
+  EXPECT_EQ(one_line("\xC2\xA0\xC3\x9B\xE2\x82\x80"), "\xC2\xA0\xC3\x9B\xE2\x82\x80")
+      << "characters with such bytes in them";
+  EXPECT_EQ(one_line("\xC2"), "\xC2");
+}
+
 TEST(BriefLine, KeepsBothEndsAndNoPartOfACharacter) {
   EXPECT_EQ(brief_line("123456789", 9), "123456789");
   EXPECT_EQ(brief_line("0123456789abcdef", 9), "0123..def");

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include "tests/cli/command_run.h"
 
 namespace pentimento {
@@ -42,6 +44,21 @@ TEST(JobInputs, AFileThatTheLogNamesCounts) {
   place.write("plain.jsonl", test::kSmallLog);
   ASSERT_EQ(place.run("render plain.jsonl -o paper.png --width 50").code, 0);
   EXPECT_NE(inputs(place, {}).key(), key);
+}
+
+TEST(JobInputs, OutsideOfTheLogsFolderNothingIsReadUnlessTheOptionsSay) {
+  test::Workplace place;
+  std::string log = test::kSmallLog;
+  ASSERT_EQ(place.run("render a.jsonl -o paper.png --width 40").code, 0);
+  log.replace(log.find(R"("palette")"), 0, R"("paper":{"texture":"../paper.png"},)");
+  std::filesystem::create_directory(place.path("logs"));
+  place.write("logs/a.jsonl", log);
+  BatchJob job;
+  job.id = "a";
+  job.log = "logs/a.jsonl";
+  EXPECT_TRUE(inputs_of(job, place.path(""), "b").files.empty());
+  job.options = {"--allow-outside"};
+  EXPECT_EQ(inputs_of(job, place.path(""), "b").files.count("../paper.png"), 1u);
 }
 
 TEST(JobResult, OnlyWhatAMachineDidIsTriedAgain) {
