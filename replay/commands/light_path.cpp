@@ -31,7 +31,7 @@ Result<std::vector<LampPlace>> read_points(const std::string& path) {
   std::vector<LampPlace> points;
   std::string text;
   for (int line = 1; std::getline(file, text); ++line) {
-    text = text.substr(0, text.find('#'));
+    text.resize(std::min(text.find('#'), text.size()));
     std::replace(text.begin(), text.end(), ',', ' ');
     if (text.find_first_not_of(" \t\r") == std::string::npos) continue;
     std::istringstream words(text);

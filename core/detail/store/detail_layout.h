@@ -17,9 +17,9 @@ class DetailLayout {
  public:
   /// `factor`: the detail, in [1, kMostDetail]. A tile is about 128 fine cells wide, and at least
   /// two blocks.
-  DetailLayout(const CanvasGeometry& guide, int factor)
-      : guide_(guide), factor_(factor), blocks_(std::max(2, kMostTileSide / factor)) {
+  DetailLayout(const CanvasGeometry& guide, int factor) : guide_(guide), factor_(factor) {
     PENTIMENTO_CHECK(factor >= 1 && factor <= kMostDetail);
+    blocks_ = std::max(2, kMostTileSide / factor);
     columns_ = (guide.width + blocks_ - 1) / blocks_;
     rows_ = (guide.height + blocks_ - 1) / blocks_;
   }

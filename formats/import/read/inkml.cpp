@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <pugixml.hpp>
 #include <tuple>
 #include <unordered_map>
@@ -36,8 +37,7 @@ class InkmlReader {
     if (!parsed) return bad(static_cast<long>(parsed.offset), parsed.description());
     const pugi::xml_node root = document.document_element();
     if (local_name(root) != "ink") return bad(0, "the root is not <ink>");
-    const InkmlDefinitions definitions(root);
-    definitions_ = &definitions;
+    definitions_.emplace(root);
     read_group(root, {}, 0);
     if (error_) return *error_;
     finish();
@@ -256,7 +256,7 @@ class InkmlReader {
   }
 
   const Source& source_;
-  const InkmlDefinitions* definitions_ = nullptr;
+  std::optional<InkmlDefinitions> definitions_;
   Sketch sketch_;
   std::optional<Error> error_;
   std::unordered_map<std::string, std::size_t> ends_;  // id of a trace to the stroke it is part of

@@ -56,7 +56,8 @@ double aspect_of(std::string_view png) {
   return aspect >= kLeastAspect && aspect <= kMostAspect ? aspect : 1;
 }
 
-void add_seen(std::vector<SpaceStroke> strokes, const PinholeCamera& camera, Sketch& sketch) {
+void add_seen(const std::vector<SpaceStroke>& strokes, const PinholeCamera& camera,
+              Sketch& sketch) {
   Sight sight = see(strokes, camera);
   for (Stroke& stroke : sight.strokes) sketch.items.emplace_back(std::move(stroke));
   sketch.page = camera.page();
@@ -134,7 +135,7 @@ Result<Sketch> read_tilt_brush(const Source& source, const ReadOptions& options)
     if (const Result<std::string> png =
             read_zip_entry(*archive, "thumbnail.png", kMostThumbnailBytes))
       scene->camera->aspect = aspect_of(*png);
-    add_seen(std::move(*strokes), *scene->camera, sketch);
+    add_seen(*strokes, *scene->camera, sketch);
   } else {
     const bool front = options.view == View::kFront;
     const PictureAxes axes = front ? PictureAxes{} : plane_of(*strokes, scene->camera);

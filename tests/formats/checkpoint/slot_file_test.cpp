@@ -3,6 +3,10 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <functional>
+#include <span>
+
+#include "formats/checkpoint/archive.h"
 #include "tests/formats/scratch.h"
 
 namespace pentimento::checkpoint {
@@ -63,6 +67,61 @@ TEST(SlotFile, SaysWhichPartIsDamaged) {
   const Result<SlotParts> parts = parse_slot(bytes, "a.slot");
   ASSERT_FALSE(parts);
   EXPECT_EQ(parts.error().message, "a.slot: its part \"memory\" is damaged");
+}
+
+/// A slot of one part whose table says what `table` puts there; all checksums are right.
+std::string forged_slot(const std::function<void(ArchiveWriter&)>& rows, std::uint64_t count) {
+  ArchiveWriter file, table, trailer;
+  const std::string_view magic = "pentimento checkpoint\n";
+  file.raw(std::span<const char>(magic));
+  file.u32(1);
+  file.raw(std::span<const char>(std::string_view("paint")));
+  table.u64(count);
+  rows(table);
+  trailer.u64(file.bytes().size());
+  trailer.u64(checksum_of(table.bytes()));
+  return file.bytes() + table.bytes() + trailer.bytes();
+}
+
+void put_row(ArchiveWriter& table, std::uint64_t offset, std::uint64_t size) {
+  table.text("guide");
+  table.u64(offset);
+  table.u64(size);
+  table.u64(checksum_of("paint"));
+}
+
+TEST(SlotFile, ATableThatIsForgedIsRefused) {
+  constexpr std::uint64_t kBegin = 26;  // behind the first line and the version
+  const auto problem = [](const std::function<void(ArchiveWriter&)>& rows, std::uint64_t count) {
+    const Result<SlotParts> parts = parse_slot(forged_slot(rows, count), "a");
+    return parts ? "" : parts.error().message;
+  };
+  const auto good = [](ArchiveWriter& to) { put_row(to, kBegin, 5); };
+  EXPECT_EQ(problem(good, 1), "");
+  EXPECT_EQ(problem([](ArchiveWriter& to) { put_row(to, kBegin, 6); }, 1),
+            "a: a part lies outside of the file");
+  EXPECT_EQ(problem([](ArchiveWriter& to) { put_row(to, kBegin - 1, 5); }, 1),
+            "a: a part lies outside of the file");
+  EXPECT_EQ(problem([](ArchiveWriter& to) { put_row(to, ~std::uint64_t{0}, 5); }, 1),
+            "a: a part lies outside of the file");
+  EXPECT_EQ(problem(
+                [&](ArchiveWriter& to) {
+                  good(to);
+                  good(to);
+                },
+                2),
+            "a: a part is there twice");
+  EXPECT_EQ(problem(good, 0), "a: its table of parts is damaged");
+  EXPECT_EQ(problem(good, 1000), "a: its table of parts is damaged");
+}
+
+TEST(SlotFile, OneLargerThanAnyCanvasIsALimitAndTakesNoMemory) {
+  const Scratch scratch;
+  some_slot(scratch);
+  std::filesystem::resize_file(scratch.path("1.slot"), std::uint64_t{17} << 30);
+  const Result<SlotParts> parts = read_slot(scratch.path("1.slot"));
+  ASSERT_FALSE(parts);
+  EXPECT_EQ(parts.error().code, ErrorCode::kLimit);
 }
 
 TEST(SlotFile, RefusesALinkAndAPipe) {

@@ -111,10 +111,12 @@ struct ChannelStream {
 class PaintStream {
  public:
   PaintStream(CanvasState& state, const StepInput& in, int strip_width)
-      : state_(state), in_(in), strip_width_(strip_width), layers_(at(state.layers)) {
-    depth_options_ = {in.model.superbee, rounder_for(quantum_for(in.model.max_medium_m))};
-    amount_options_ = {in.model.superbee, rounder_for(quantum_for(in.model.max_pigment))};
-  }
+      : state_(state),
+        in_(in),
+        strip_width_(strip_width),
+        depth_options_{in.model.superbee, rounder_for(quantum_for(in.model.max_medium_m))},
+        amount_options_{in.model.superbee, rounder_for(quantum_for(in.model.max_pigment))},
+        layers_(at(state.layers)) {}
 
   void move(const LineBatch& b) {
     resize(b);
