@@ -31,7 +31,7 @@ constexpr std::array<hsize_t, 16> kExtents = {0,
                                               hsize_t{1} << 62};
 constexpr std::array<double, 16> kNumbers = {
     0,     -0.0, 1,    -1,   0.5,   2,     3,          1e-45,
-    1e-30, 1e9,  1e12, 3e38, 1e300, 65536, 4294967296, 9007199254740993};
+    1e-30, 1e9,  1e12, 3e38, 1e300, 65536, 4294967296, 9007199254740994};
 
 struct Names {
   std::vector<std::string>& datasets;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "core/fluid/conservative/tiles/quantum.h"
 #include "formats/checkpoint/canvas_part.h"
@@ -31,27 +32,28 @@ struct Saved {
 
 /// All that the replays of one log share.
 struct Session {
-  explicit Session(ListReader read)
-      : log(std::move(read)), maker(log.head.model), plan(plan_log(log, files, {}, maker).value()) {
+  explicit Session(GrammarLog read)
+      : log(std::move(read.log)),
+        usual(read.usual),
+        maker(log.head.model),
+        plan(plan_log(log, files, {}, maker).value()) {
     basis = make_channels(plan.palette.pigments(), maker.wavelength_nm());
   }
   ListReader log;
+  bool usual;
   LogFiles files{"-", false};
   PaintMaker maker;
   LogPlan plan;
   ChannelBasis basis;
 };
 
-const Field<float>& relief(const Session& session) {
-  static const Field<float> made = [&] {
-    LogFiles none("-", false);
-    const log::Header& head = session.log.head;
-    return paper_relief(
-               head.paper,
-               {head.grid_width, head.grid_height, head.canvas_width_m, head.canvas_height_m}, none)
-        .value();
-  }();
-  return made;
+/// The relief of the paper, which every log of the grammar has.
+const Field<float>& relief(const log::Header& head) {
+  static LogFiles none("-", false);
+  static const Result<Field<float>> made = paper_relief(
+      head.paper, {head.grid_width, head.grid_height, head.canvas_width_m, head.canvas_height_m},
+      none);
+  return *made;
 }
 
 const BrushTable& brushes() {
@@ -59,11 +61,35 @@ const BrushTable& brushes() {
   return table;
 }
 
-SimulationSetup setup_of(const Session& session) {
+std::unique_ptr<Simulation> make_simulation(const Session& session, const Threads& threads) {
   SimulationSetup setup = simulation_setup(session.log.head, session.log.head.model);
   setup.basis = session.basis;
-  setup.paper_m = relief(session).clone();
-  return setup;
+  setup.paper_m = relief(session.log.head).clone();
+  return std::make_unique<Simulation>(std::move(setup), threads);
+}
+
+/// A simulation before its first step. To draw the tips of the brushes takes a hundred times as
+/// long as the replay, so those of a palette and a model that come again are forks of one that has
+/// all.
+std::unique_ptr<Simulation> fresh_simulation(const Session& session, const Threads& threads) {
+  struct Made {
+    SchemeKind scheme;
+    int layers, bands;
+    std::unique_ptr<Simulation> simulation;
+  };
+  static const Threads one(1);
+  static std::vector<Made> all;
+  if (!session.usual) return make_simulation(session, threads);
+  const Model& model = session.log.head.model;
+  for (const Made& made : all)
+    if (made.scheme == model.scheme && made.layers == model.layers &&
+        made.bands == model.reflectance_bands())
+      return made.simulation->fork(threads);
+  std::unique_ptr<Simulation> made = make_simulation(session, one);
+  for (const char* brush : grammar_brushes()) made->set_brush(brushes().find(brush));
+  made->set_brush(brushes().first());
+  all.push_back({model.scheme, model.layers, model.reflectance_bands(), std::move(made)});
+  return all.back().simulation->fork(threads);
 }
 
 /// One replay of the session's log. Saves it once on the way if it is asked to.
@@ -71,13 +97,13 @@ class Replay final : public StepPause {
  public:
   Replay(Session& session, const Threads& threads)
       : session_(session),
-        simulation_(setup_of(session), threads),
+        simulation_(fresh_simulation(session, threads)),
         timeline_((rewind(session.log), session.log),
                   {session.plan.undo, brushes(), session.plan.stepped, 1}),
-        hand_(simulation_, {brushes(), session.plan.palette, 0, session.files, std::nullopt,
-                            nullptr, session.maker}),
+        hand_(*simulation_, {brushes(), session.plan.palette, 0, session.files, std::nullopt,
+                             nullptr, session.maker}),
         lighting_(default_lighting(), session.log.head.steps_per_second),
-        player_({timeline_, simulation_, hand_, lighting_, session.files, control_,
+        player_({timeline_, *simulation_, hand_, lighting_, session.files, control_,
                  session.plan.steps, nullptr, this}) {}
 
   void save_at(std::int64_t step) { save_at_ = step; }
@@ -85,13 +111,13 @@ class Replay final : public StepPause {
 
   void go_on_from(const Saved& saved) {
     PENTIMENTO_CHECK(player_.skip_to(saved.position).ok());
-    const CanvasState& fresh = simulation_.state();
+    const CanvasState& fresh = simulation_->state();
     checkpoint::ArchiveReader canvas(saved.canvas), memory(saved.memory);
     CanvasState state = checkpoint::take_canvas(
         {fresh.geometry, fresh.layers, fresh.channels, fresh.bands}, canvas);
     const SimulationMemory kept = checkpoint::take_memory(memory);
     PENTIMENTO_CHECK(canvas.complete() && memory.complete());
-    PENTIMENTO_CHECK(simulation_.recall(std::move(state), kept));
+    PENTIMENTO_CHECK(simulation_->recall(std::move(state), kept));
   }
 
   void play() {
@@ -103,22 +129,22 @@ class Replay final : public StepPause {
   Result<void> between_steps() override {
     if (saved_ || save_at_ < 0 || player_.steps() < save_at_) return {};
     checkpoint::ArchiveWriter canvas, memory;
-    checkpoint::put_canvas(simulation_.state(), canvas);
-    checkpoint::put_memory(simulation_.memory(), memory);
+    checkpoint::put_canvas(simulation_->state(), canvas);
+    checkpoint::put_memory(simulation_->memory(), memory);
     saved_ = Saved{canvas.take(), memory.take(), player_.position()};
     return {};
   }
   Result<void> within_step() override { return {}; }
 
-  std::string hash() const { return state_sha256(simulation_.state()); }
-  const Simulation& simulation() const { return simulation_; }
+  std::string hash() const { return state_sha256(simulation_->state()); }
+  const Simulation& simulation() const { return *simulation_; }
 
  private:
   static void rewind(ListReader& log) { PENTIMENTO_CHECK(log.rewind().ok()); }
 
   Session& session_;
   const Control control_;
-  Simulation simulation_;
+  std::unique_ptr<Simulation> simulation_;
   Timeline timeline_;
   Hand hand_;
   LightingTrack lighting_;

@@ -132,7 +132,8 @@ std::vector<std::string> fuzz_targets() {
 }
 
 void fuzz(const std::string& target, std::string_view bytes) {
-  for (const std::span<const Target> targets : {std::span(kTargets), std::span(kByChild)})
+  const std::span<const Target> plain = kTargets, by_child = kByChild;
+  for (const std::span<const Target> targets : {plain, by_child})
     for (const Target& one : targets)
       if (target == one.name) return one.take(bytes);
   const sketch::Format* format = sketch::find_format(target);

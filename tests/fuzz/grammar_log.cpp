@@ -29,14 +29,23 @@ constexpr std::array<SliderChoice, 9> kSliders = {{{"medium", 0, 1},
                                                    {"spacing", 0.2, 2},
                                                    {"load", 0, 1}}};
 
+struct UsualPigment {
+  const char* name;
+  log::Rgb color;
+  double opacity;
+};
+constexpr std::array<UsualPigment, 3> kPigments = {{{"blue", {0.02, 0.05, 0.4}, 0.7},
+                                                    {"ochre", {0.6, 0.4, 0.05}, 0.95},
+                                                    {"glaze", {0.5, 0, 0.3}, 0.05}}};
+
 class Grammar {
  public:
   explicit Grammar(Choices& choices) : choices_(choices) {}
 
-  ListReader log() {
+  GrammarLog log() {
     header();
     for (int i = 0; i < kMostEvents && !choices_.made() && time_s_ < kMostSeconds; ++i) event();
-    return std::move(log_);
+    return {std::move(log_), !picks_};
   }
 
  private:
@@ -55,6 +64,7 @@ class Grammar {
   double time_s_ = 0;
   std::array<bool, 2> down_{};
   bool stepped_ = false;
+  bool picks_ = false;  // colours that no other log has
 };
 
 void Grammar::header() {
@@ -65,18 +75,18 @@ void Grammar::header() {
   head.grid_height = 24;
   const std::uint8_t bits = choices_.byte();
   if ((bits & 3) == 3) head.model.scheme = SchemeKind::kPaper;
-  head.model.layers = 1 + (bits >> 2) % 3;
+  head.model.layers = (bits & 4) == 0 ? 2 : 3;
   stepped_ = (bits >> 4) % 4 == 3;
   if ((bits >> 6) == 3) {
     head.model.optics = OpticsKind::kSpectral;
     head.model.bands = 8;
   }
-  const std::size_t pigments = choices_.below(4);
-  for (std::size_t i = 0; i < pigments; ++i) {
+  picks_ = choices_.byte() == 0xFF;
+  for (const UsualPigment& usual : kPigments) {
     log::PigmentSpec pigment;
-    pigment.name = "p" + std::to_string(i);
-    pigment.color = rgb();
-    pigment.opacity = choices_.between(0.02, 0.98);
+    pigment.name = usual.name;
+    pigment.color = picks_ ? rgb() : usual.color;
+    pigment.opacity = usual.opacity;
     head.palette.push_back(pigment);
   }
 }
@@ -117,11 +127,10 @@ void Grammar::touch() {
 
 void Grammar::color() {
   log::Color color;
-  const auto& palette = log_.head.palette;
-  if (!palette.empty() && choices_.flag()) {
-    color.pigment = choices_.of(palette).name;
-  } else {
+  if (picks_ && choices_.flag()) {
     color.value = rgb();
+  } else {
+    color.pigment = choices_.of(kPigments).name;
   }
   if (choices_.byte() % 4 == 3) color.across = {{0, choices_.between(0.1, 1)}};
   add(color);
@@ -155,7 +164,11 @@ void Grammar::change() {
 
 }  // namespace
 
-ListReader grammar_log(Choices& choices) {
+std::span<const char* const> grammar_brushes() {
+  return kBrushes;
+}
+
+GrammarLog grammar_log(Choices& choices) {
   return Grammar(choices).log();
 }
 
