@@ -10,7 +10,6 @@ HeldBrush::HeldBrush(const ChannelBasis& basis, const Model& model)
       model_(model),
       amount_(basis.amount.begin(), basis.amount.end()),
       brush_(*builtin_brush("round")),
-      tip_(tips_.find(brush_)),
       load_(wanted_load()) {}
 
 void HeldBrush::become(const HeldBrush& other) {
@@ -26,8 +25,13 @@ void HeldBrush::become(const HeldBrush& other) {
 bool HeldBrush::take(const BrushDefinition& brush) {
   const bool is_other = brush.name != brush_.name;
   brush_ = brush.clone();
-  tip_ = tips_.find(brush_);
+  tip_ = nullptr;
   return is_other;
+}
+
+const Tip& HeldBrush::tip() {
+  if (tip_ == nullptr) tip_ = tips_.find(brush_);
+  return *tip_;
 }
 
 bool HeldBrush::set_settings(const BrushSettings& settings) {

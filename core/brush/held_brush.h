@@ -43,7 +43,8 @@ class HeldBrush {
   ReservoirRows set_color(int pigment, float from, float to);
 
   const BrushDefinition& brush() const { return brush_; }
-  const Tip& tip() const { return *tip_; }
+  /// Draws the tip, the first time that the brush is used.
+  const Tip& tip();
   const BrushSettings& settings() const { return settings_; }
   const std::vector<DippedColor>& colors() const { return colors_; }
   /// The load, for a brush that deposits paint.
@@ -59,7 +60,7 @@ class HeldBrush {
   std::vector<float> amount_;  // per channel, as in PaintLoad
   BrushDefinition brush_;
   TipRack tips_;
-  std::shared_ptr<const Tip> tip_;
+  std::shared_ptr<const Tip> tip_;  // nullptr: not asked for yet
   BrushSettings settings_;
   std::vector<DippedColor> colors_ = {{0, kAllRows}};
   PaintLoad load_;

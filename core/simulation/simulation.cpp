@@ -139,7 +139,7 @@ void Simulation::begin_stroke(int touch_id, std::uint32_t stroke_id) {
 void Simulation::stamp(int touch_id, const Stamp& stamp) {
   const auto touch = impl_->touches.find(touch_id);
   PENTIMENTO_CHECK(touch != impl_->touches.end() && touch->second.down);
-  const HeldBrush& held = impl_->held;
+  HeldBrush& held = impl_->held;
   const BrushInHand hand{held.brush(), held.tip(), held.settings(), held.load(),
                          touch->second.stroke_id};
   impl_->transfer->apply(stamp, hand, impl_->model, touch->second.reservoir);

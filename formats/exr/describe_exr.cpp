@@ -11,10 +11,14 @@
 #include "formats/exr/chromaticities.h"
 #include "formats/exr/typed_attribute.h"
 #include "formats/io/describe.h"
+#include "formats/io/utf8.h"
 
 namespace pentimento {
 
 namespace {
+
+/// The library quotes the file in its messages, which may be anything.
+constexpr std::size_t kMostMessageBytes = 200;
 
 constexpr std::string_view kEscape = "pentimento.";  // exr_writer.cpp: keys that OpenEXR has itself
 
@@ -51,7 +55,8 @@ Result<FileDescription> describe_exr(const std::string& path) {
   try {
     return describe(path);
   } catch (const std::exception& error) {
-    return Error{ErrorCode::kBadInput, path + ": " + error.what()};
+    return Error{ErrorCode::kBadInput,
+                 path + ": " + brief_line(valid_utf8(error.what()), kMostMessageBytes)};
   }
 }
 

@@ -50,18 +50,19 @@ std::size_t dataset_of(PlaneKind kind) {
 
 }  // namespace
 
-Result<std::shared_ptr<const DumpSource>> DumpSource::open(const std::string& path,
+Result<std::shared_ptr<const DumpSource>> DumpSource::open(const DumpFile& from,
                                                            const CanvasShape& shape,
                                                            const CanvasGeometry& geometry,
                                                            std::int64_t step,
                                                            std::size_t cache_bytes) {
-  std::shared_ptr<DumpSource> source(new DumpSource(path, shape, geometry, step, cache_bytes));
+  std::shared_ptr<DumpSource> source(new DumpSource(from.path, shape, geometry, step, cache_bytes));
   const Silence silence;
-  source->file_ = Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+  source->file_ = Handle(H5Freopen(from.file), H5Fclose);
   for (const CanvasDataset& what : kCanvasDatasets) {
     source->datasets_.push_back(open_dataset(source->file_.id(), what.name));
     if (!source->datasets_.back().ok())
-      return Error{ErrorCode::kBadInput, fmt::format("{}: {} cannot be read", path, what.name)};
+      return Error{ErrorCode::kBadInput,
+                   fmt::format("{}: {} cannot be read", from.path, what.name)};
   }
   return std::shared_ptr<const DumpSource>(std::move(source));
 }

@@ -17,14 +17,15 @@
 #include "core/canvas/canvas_source.h"
 #include "formats/hdf5/handle.h"
 #include "formats/hdf5/layout.h"
+#include "formats/hdf5/read_canvas.h"
 
 namespace pentimento::hdf5 {
 
 class DumpSource final : public CanvasSource {
  public:
-  /// `shape` is what canvas_shape() found in the file. Holds the file open; keeps up to
-  /// `cache_bytes` of it in memory. Errors: kIo, kBadInput.
-  static Result<std::shared_ptr<const DumpSource>> open(const std::string& path,
+  /// `shape` is what canvas_shape() found in the file. Holds the file open, also when `from` is
+  /// closed; keeps up to `cache_bytes` of it in memory. Errors: kBadInput.
+  static Result<std::shared_ptr<const DumpSource>> open(const DumpFile& from,
                                                         const CanvasShape& shape,
                                                         const CanvasGeometry& geometry,
                                                         std::int64_t step, std::size_t cache_bytes);

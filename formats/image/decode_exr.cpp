@@ -7,17 +7,22 @@
 
 #include "formats/exr/chromaticities.h"
 #include "formats/image/decode.h"
+#include "formats/io/utf8.h"
 
 namespace pentimento::image {
 
 namespace {
 
+/// The library quotes the file in its messages, which may be anything.
+constexpr std::size_t kMostMessageBytes = 200;
+
 /// Adds a plane for each channel to `image`.
 Result<void> add_planes(const std::string& path, const Imf::ChannelList& channels, Image& image) {
   for (auto it = channels.begin(); it != channels.end(); ++it) {
     if (it.channel().xSampling != 1 || it.channel().ySampling != 1)
-      return Error{ErrorCode::kBadInput,
-                   path + ": channel " + it.name() + " is subsampled, which is not supported"};
+      return Error{ErrorCode::kBadInput, path + ": channel " +
+                                             brief_line(valid_utf8(it.name()), kMostMessageBytes) +
+                                             " is subsampled, which is not supported"};
     image.name.push_back(it.name());
     image.plane.emplace_back(image.width, image.height);
     if (it.channel().type != Imf::HALF) image.bits = 32;
@@ -66,7 +71,8 @@ Result<Image> decode_exr(const std::string& path, const ImageReadOptions& option
   try {
     return decode(path, options);
   } catch (const std::exception& error) {
-    return Error{ErrorCode::kBadInput, path + ": " + error.what()};
+    return Error{ErrorCode::kBadInput,
+                 path + ": " + brief_line(valid_utf8(error.what()), kMostMessageBytes)};
   }
 }
 

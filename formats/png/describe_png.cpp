@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "formats/io/describe.h"
+#include "formats/io/utf8.h"
 #include "formats/png/chunks.h"
 #include "formats/png/profile_chunk.h"
 
@@ -110,7 +111,12 @@ Result<FileDescription> describe_png(const std::string& path) {
   while (next_chunk(file.get(), out, problem)) {
   }
   if (problem.empty() && out.width <= 0) problem = "has no size";
-  if (!problem.empty()) return Error{ErrorCode::kBadInput, path + ": " + problem};
+  if (!problem.empty()) {
+    constexpr std::size_t kMostMessageBytes = 200;
+    // A chunk's type may be any four bytes.
+    return Error{ErrorCode::kBadInput,
+                 path + ": " + brief_line(valid_utf8(problem), kMostMessageBytes)};
+  }
   return out;
 }
 

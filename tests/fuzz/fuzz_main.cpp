@@ -17,7 +17,8 @@ extern "C" int LLVMFuzzerInitialize(int*, char***) {
   const char* name = std::getenv("PENTIMENTO_FUZZ");
   target() = name == nullptr ? "" : name;
   const std::vector<std::string> all = pentimento::test::fuzz_targets();
-  if (std::find(all.begin(), all.end(), target()) != all.end()) return 0;
+  const std::string_view known = std::string_view(target()).substr(0, target().rfind("-child"));
+  if (std::find(all.begin(), all.end(), known) != all.end()) return 0;
   for (const std::string& one : all) std::puts(one.c_str());
   std::exit(target() == "list" ? 0 : 2);
 }

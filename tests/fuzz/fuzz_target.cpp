@@ -1,6 +1,7 @@
 #include "tests/fuzz/fuzz_target.h"
 
 #include <memory>
+#include <span>
 
 #include "core/base/check.h"
 #include "formats/checkpoint/canvas_part.h"
@@ -14,11 +15,15 @@
 #include "formats/log/reader.h"
 #include "formats/log/write/to_json.h"
 #include "tests/formats/log/log_text.h"
+#include "tests/fuzz/fuzz_checks.h"
+#include "tests/fuzz/fuzz_dump.h"
+#include "tests/fuzz/fuzz_picture.h"
+#include "tests/fuzz/fuzz_replay.h"
 
 namespace pentimento::test {
 
 namespace {
-constexpr const char* kName = "in.bin";
+constexpr const char* kName = kFuzzName;
 
 /// Writes as a file would be written, to nowhere.
 class NowhereWriter : public log::Writer {
@@ -35,13 +40,6 @@ class NowhereWriter : public log::Writer {
   std::size_t bytes_ = 0;
   std::int64_t last_us_ = 0;
 };
-
-void check_problem(const Error& error, std::string_view name) {
-  PENTIMENTO_CHECK(error.code == ErrorCode::kBadInput || error.code == ErrorCode::kLimit);
-  PENTIMENTO_CHECK(error.message.find(name) != std::string::npos);
-  PENTIMENTO_CHECK(error.message.size() < 400);
-  for (const char c : error.message) PENTIMENTO_CHECK(c >= ' ' || static_cast<signed char>(c) < 0);
-}
 
 void fuzz_recording(const sketch::Format& format, std::string_view bytes) {
   sketch::format_of(bytes);
@@ -98,24 +96,46 @@ void fuzz_checkpoint(std::string_view bytes) {
   const std::size_t end = bytes.find('\n');
   if (end != std::string_view::npos) take_part(bytes.substr(0, end), bytes.substr(end + 1));
 }
+void fuzz_gravity(std::string_view bytes) {
+  const Result<sketch::GravityRecording> gravity = sketch::read_gravity({kName, bytes}, {});
+  if (!gravity) check_problem(gravity.error(), kName);
+}
+
+void fuzz_plain_log(std::string_view bytes) {
+  fuzz_log(bytes, {});
+}
+
+void fuzz_repair(std::string_view bytes) {
+  log::ReaderOptions options;
+  options.repair = true;
+  fuzz_log(bytes, options);
+}
+
+struct Target {
+  const char* name;
+  void (*take)(std::string_view bytes);
+};
+constexpr Target kTargets[] = {
+    {"checkpoint", fuzz_checkpoint}, {"dump", fuzz_dump},     {"dump-edits", fuzz_dump_edits},
+    {"gravity", fuzz_gravity},       {"log", fuzz_plain_log}, {"palette", fuzz_palette},
+    {"picture", fuzz_picture},       {"repair", fuzz_repair}, {"replay", fuzz_replay},
+};
+constexpr Target kByChild[] = {{"dump-child", fuzz_dump_by_child},
+                               {"dump-edits-child", fuzz_dump_edits_by_child}};
 }  // namespace
 
 std::vector<std::string> fuzz_targets() {
-  std::vector<std::string> out = {"checkpoint", "gravity", "log", "repair"};
+  std::vector<std::string> out;
+  for (const Target& target : kTargets) out.emplace_back(target.name);
   for (const sketch::Format& format : sketch::formats()) out.emplace_back(format.name);
   return out;
 }
 
 void fuzz(const std::string& target, std::string_view bytes) {
-  log::ReaderOptions options;
-  options.repair = target == "repair";
-  if (target == "log" || target == "repair") return fuzz_log(bytes, options);
-  if (target == "checkpoint") return fuzz_checkpoint(bytes);
-  if (target == "gravity") {
-    const Result<sketch::GravityRecording> gravity = sketch::read_gravity({kName, bytes}, {});
-    if (!gravity) check_problem(gravity.error(), kName);
-    return;
-  }
+  const std::span<const Target> plain = kTargets, by_child = kByChild;
+  for (const std::span<const Target> targets : {plain, by_child})
+    for (const Target& one : targets)
+      if (target == one.name) return one.take(bytes);
   const sketch::Format* format = sketch::find_format(target);
   PENTIMENTO_CHECK(format != nullptr);
   fuzz_recording(*format, bytes);

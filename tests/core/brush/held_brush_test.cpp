@@ -34,6 +34,17 @@ TEST_F(HeldBrushTest, AnotherBrushIsCleanTheSameIsNot) {
   EXPECT_FALSE(held_.take(*builtin_brush("flat")));
 }
 
+TEST_F(HeldBrushTest, HasTheTipOfTheBrushInTheHand) {
+  const Tip* round = &held_.tip();
+  EXPECT_FALSE(held_.take(*builtin_brush("round")));
+  EXPECT_EQ(&held_.tip(), round);
+  EXPECT_TRUE(held_.take(*builtin_brush("flat")));
+  EXPECT_NE(&held_.tip(), round);
+  HeldBrush other(basis_, model_);
+  other.become(held_);
+  EXPECT_EQ(&other.tip(), &held_.tip()) << "drawn once";
+}
+
 TEST_F(HeldBrushTest, OnlySlidersOfThePaintLoadItAfresh) {
   BrushSettings settings;
   settings.pickup = 0.9f;
