@@ -117,7 +117,8 @@ class Replay final : public StepPause {
         {fresh.geometry, fresh.layers, fresh.channels, fresh.bands}, canvas);
     const SimulationMemory kept = checkpoint::take_memory(memory);
     PENTIMENTO_CHECK(canvas.complete() && memory.complete());
-    PENTIMENTO_CHECK(simulation_->recall(std::move(state), kept));
+    PENTIMENTO_CHECK(simulation_->fits(kept));
+    simulation_->recall(std::move(state), kept);
   }
 
   void play() {
