@@ -61,11 +61,11 @@ class Case:
         for path in self.folder.iterdir():
             shutil.rmtree(path) if path.is_dir() else path.unlink()
 
-    def attempt(self, signals, chance):
-        """(its exit status, its report) of one run, which a signal may end."""
+    def attempt(self, signals, chance, most_s):
+        """(its exit status, its report) of one run, which a signal may end before `most_s`."""
         run = subprocess.Popen(self.saved, cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         try:
-            out, err = run.communicate(timeout=chance.uniform(0.01, self.seconds))
+            out, err = run.communicate(timeout=chance.uniform(0.01, most_s))
         except subprocess.TimeoutExpired:
             run.send_signal(chance.choice(signals))
             out, err = run.communicate()
@@ -76,7 +76,8 @@ class Case:
         self.empty()
         kills = 0
         while True:
-            status, out, err = self.attempt(signals, chance)
+            # Each run may take longer than the one before: else a busy machine kills all of them while they begin.
+            status, out, err = self.attempt(signals, chance, self.seconds * 1.25**kills)
             if status in (-signal.SIGKILL, -signal.SIGTERM, INTERRUPTED):
                 kills += 1
             elif status != 0:
