@@ -52,8 +52,7 @@ int run_compare(const Arguments& arguments) {
   app.add_option("--threads", thread_count, "0 = all")->check(in_range(0, 1024))->type_name("N");
   app.add_flag("--json", json, "one JSON object");
   if (const std::optional<int> code = parse(app, arguments)) return *code;
-  const Threads threads(thread_count);
-  Result<Comparison> comparison = compare_files(a, b, allowed, threads);
+  Result<Comparison> comparison = compare_files(a, b, allowed, thread_count);
   if (!comparison) return fail(comparison.error());
   const int printed =
       print(json ? comparison_json(*comparison) + "\n" : comparison_text(*comparison));

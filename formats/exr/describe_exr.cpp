@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "formats/exr/chromaticities.h"
+#include "formats/exr/exr_header.h"
 #include "formats/exr/typed_attribute.h"
 #include "formats/io/describe.h"
 #include "formats/io/utf8.h"
@@ -52,6 +53,7 @@ FileDescription describe(const std::string& path) {
 }  // namespace
 
 Result<FileDescription> describe_exr(const std::string& path) {
+  if (const Result<void> sound = exr::check_header(path); !sound) return sound.error();
   try {
     return describe(path);
   } catch (const std::exception& error) {

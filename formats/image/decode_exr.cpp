@@ -2,10 +2,13 @@
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfInputFile.h>
+#include <fmt/format.h>
 
 #include <exception>
+#include <new>
 
 #include "formats/exr/chromaticities.h"
+#include "formats/exr/exr_header.h"
 #include "formats/image/decode.h"
 #include "formats/io/utf8.h"
 
@@ -15,6 +18,20 @@ namespace {
 
 /// The library quotes the file in its messages, which may be anything.
 constexpr std::size_t kMostMessageBytes = 200;
+
+/// Of all channels of a picture: 16 GiB, a poster of 16384 x 16384 cells with 16 channels. Few
+/// bytes of a file can stand for many equal samples, so that its length says nothing.
+constexpr std::int64_t kMostSamples = std::int64_t{1} << 32;
+
+Result<void> check_samples(const std::string& path, const Imf::ChannelList& channels,
+                           std::int64_t pixels) {
+  std::int64_t count = 0;
+  for (auto it = channels.begin(); it != channels.end(); ++it) ++count;
+  if (count <= kMostSamples / pixels) return {};
+  return Error{ErrorCode::kLimit,
+               fmt::format("{}: {} channels of {} pixels, the limit is {} in all", path, count,
+                           pixels, kMostSamples)};
+}
 
 /// Adds a plane for each channel to `image`.
 Result<void> add_planes(const std::string& path, const Imf::ChannelList& channels, Image& image) {
@@ -55,6 +72,9 @@ Result<Image> decode(const std::string& path, const ImageReadOptions& options) {
     image.profile = *profile;
     image.profile_title = std::string(profile_title(*profile)) + " primaries";
   }
+  if (const Result<void> fits = check_samples(path, file.header().channels(), width * height);
+      !fits)
+    return fits.error();
   if (const Result<void> added = add_planes(path, file.header().channels(), image); !added)
     return added.error();
   Imf::FrameBuffer buffer;
@@ -68,8 +88,11 @@ Result<Image> decode(const std::string& path, const ImageReadOptions& options) {
 }  // namespace
 
 Result<Image> decode_exr(const std::string& path, const ImageReadOptions& options) {
+  if (const Result<void> sound = exr::check_header(path); !sound) return sound.error();
   try {
     return decode(path, options);
+  } catch (const std::bad_alloc&) {
+    return Error{ErrorCode::kLimit, path + ": no memory to read it"};
   } catch (const std::exception& error) {
     return Error{ErrorCode::kBadInput,
                  path + ": " + brief_line(valid_utf8(error.what()), kMostMessageBytes)};

@@ -42,7 +42,6 @@ class BatchRun {
   Manifest manifest_;
   std::vector<BatchJob> jobs_;  // of the shard
   std::optional<GoldenStore> golden_;
-  Threads threads_{0};
   std::vector<BatchRow> rows_;
   int rendered_ = 0, done_ = 0;
 };
@@ -124,7 +123,7 @@ Result<void> BatchRun::settle(std::size_t index, const JobResult& result,
                               const std::string& contradiction) {
   const bool updates = request_.reason.has_value();
   BatchRow row =
-      judge(jobs_[index], result, run_, golden_ && !updates ? &*golden_ : nullptr, false, threads_);
+      judge(jobs_[index], result, run_, golden_ && !updates ? &*golden_ : nullptr, false);
   if (!contradiction.empty()) {
     row.kind = RowKind::kNotDeterministic;
     row.reasons.insert(row.reasons.begin(), contradiction);

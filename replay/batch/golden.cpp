@@ -95,7 +95,7 @@ bool GoldenStore::is_taken(const BatchRow& row, const RunFolder& run) const {
   if (entry->picture_sha256.empty() || picture_sha256.empty()) return picture_sha256.empty();
   // Another build writes its name into the file: the pixels decide.
   const Result<Comparison> same =
-      compare_files(picture(*entry), run.file_of(row.key, "picture.png"), {}, Threads(0));
+      compare_files(picture(*entry), run.file_of(row.key, "picture.png"), {}, 0);
   return same && same->equal;
 }
 

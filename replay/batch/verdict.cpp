@@ -51,11 +51,10 @@ void add_differences(const Comparison& comparison, const char* of, BatchRow& row
 }
 
 /// Which fields differ, and where, if both dumps were kept.
-void explain_state(const std::string& golden_dump, const std::string& dump, const Threads& threads,
-                   BatchRow& row) {
+void explain_state(const std::string& golden_dump, const std::string& dump, BatchRow& row) {
   std::error_code ignored;
   if (!fs::is_regular_file(golden_dump, ignored) || !fs::is_regular_file(dump, ignored)) return;
-  const Result<Comparison> comparison = compare_files(golden_dump, dump, {}, threads);
+  const Result<Comparison> comparison = compare_files(golden_dump, dump, {}, 0);
   if (comparison) add_differences(*comparison, "state", row);
 }
 
@@ -67,11 +66,11 @@ void keep_golden_picture(const std::string& picture, const std::string& sha256,
 }
 
 void judge_picture(const BatchJob& job, const std::string& golden, const std::string& sha256,
-                   const RunFolder& run, const Threads& threads, BatchRow& row) {
+                   const RunFolder& run, BatchRow& row) {
   CompareThresholds allowed = job.expect.picture;
   if (!allowed.any()) allowed.max = kMostPictureDifference;
   const Result<Comparison> comparison =
-      compare_files(golden, run.file_of(row.key, "picture.png"), allowed, threads);
+      compare_files(golden, run.file_of(row.key, "picture.png"), allowed, 0);
   if (!comparison) return fail(row, RowKind::kPicture, comparison.error().message);
   row.flip = comparison->flip_mean;
   const bool state_failed = row.kind == RowKind::kState;
@@ -89,22 +88,22 @@ void judge_picture(const BatchJob& job, const std::string& golden, const std::st
 }
 
 void judge_golden(const BatchJob& job, const GoldenEntry& entry, const GoldenStore& store,
-                  const RunFolder& run, const Threads& threads, BatchRow& row) {
+                  const RunFolder& run, BatchRow& row) {
   if (!job.expect.any_state && entry.state_sha256 != row.result.state_sha256) {
     fail(row, RowKind::kState, "the state is not the golden one");
-    explain_state(store.dump(entry), run.file_of(row.key, "state.h5"), threads, row);
+    explain_state(store.dump(entry), run.file_of(row.key, "state.h5"), row);
   }
   const std::string picture_sha256 = run.hash_of(row.key, "picture.png");
   // Without a picture, which a batch of states does not make, the states alone are compared.
   if (entry.picture_sha256 == picture_sha256 || picture_sha256.empty()) return;
   if (entry.picture_sha256.empty())
     return fail(row, RowKind::kPicture, "the golden result has no picture");
-  judge_picture(job, store.picture(entry), entry.picture_sha256, run, threads, row);
+  judge_picture(job, store.picture(entry), entry.picture_sha256, run, row);
 }
 }  // namespace
 
 BatchRow judge(const BatchJob& job, const JobResult& result, const RunFolder& run,
-               const GoldenStore* golden, bool may_be_new, const Threads& threads) {
+               const GoldenStore* golden, bool may_be_new) {
   BatchRow row;
   row.id = job.id;
   row.kind = RowKind::kPassed;
@@ -121,7 +120,7 @@ BatchRow judge(const BatchJob& job, const JobResult& result, const RunFolder& ru
     if (!may_be_new) fail(row, RowKind::kNoGolden, "there is no golden result to compare with");
     return row;
   }
-  judge_golden(job, *entry, *golden, run, threads, row);
+  judge_golden(job, *entry, *golden, run, row);
   return row;
 }
 

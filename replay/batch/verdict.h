@@ -1,7 +1,6 @@
 #pragma once
 // The verdict on a job of a batch: is its result what the manifest and the golden results expect?
 
-#include "core/base/threads.h"
 #include "replay/batch/golden.h"
 #include "replay/batch/row.h"
 #include "replay/batch/run_folder.h"
@@ -12,6 +11,6 @@ namespace pentimento {
 /// id without a golden result passes. The golden picture that a result differs from is copied into
 /// the run's folder.
 BatchRow judge(const BatchJob& job, const JobResult& result, const RunFolder& run,
-               const GoldenStore* golden, bool may_be_new, const Threads& threads);
+               const GoldenStore* golden, bool may_be_new);
 
 }  // namespace pentimento

@@ -121,7 +121,7 @@ Result<void> ask_recorder(const VerifyRequest& request, const std::vector<std::s
                  fmt::format("{} could not render {}", request.recorded_by, request.job.log)};
   report.dumps.push_back(dump);
   const Result<Comparison> comparison =
-      compare_files(dump, named(request.dumps, "after"), {}, Threads(request.job.threads));
+      compare_files(dump, named(request.dumps, "after"), {}, request.job.threads);
   if (!comparison) return comparison.error();
   report.comparison = comparison_text(*comparison);
   return {};

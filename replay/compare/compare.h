@@ -33,8 +33,11 @@ void compare_reduced(const CanvasSource& coarse, const CanvasSource& fine,
                      const ChannelBasis& basis, const Threads& threads, Comparison& out);
 
 /// Reads both files (pictures or dumps, by content), compares them and decides whether they are
-/// equal. Errors: those of reading; kBadInput for a picture and a dump.
+/// equal, with `thread_count` threads (0: as many as the machine has). The threads start after the
+/// files are read: reading a dump forks a child, and in a child of a process whose threads are just
+/// starting the allocator of the address sanitizer may wait for ever. Errors: those of reading;
+/// kBadInput for a picture and a dump.
 Result<Comparison> compare_files(const std::string& a, const std::string& b,
-                                 const CompareThresholds& thresholds, const Threads& threads);
+                                 const CompareThresholds& thresholds, int thread_count);
 
 }  // namespace pentimento

@@ -6,30 +6,28 @@ namespace {
 
 constexpr std::int64_t kMostPixels = std::int64_t{1} << 29;  // posters: 6 GB a picture
 
-Result<Comparison> compare_dumps(const std::string& a, const std::string& b,
-                                 const Threads& threads) {
+Result<Comparison> compare_dumps(const std::string& a, const std::string& b, int thread_count) {
   const Result<StateDump> left = read_state(a);
   if (!left) return left.error();
   const Result<StateDump> right = read_state(b);
   if (!right) return right.error();
-  return compare_states(*left, *right, threads);
+  return compare_states(*left, *right, Threads(thread_count));
 }
 
-Result<Comparison> compare_images(const std::string& a, const std::string& b,
-                                  const Threads& threads) {
+Result<Comparison> compare_images(const std::string& a, const std::string& b, int thread_count) {
   ImageReadOptions options;
   options.limits.max_pixels = kMostPixels;
   const Result<Image> left = read_image(a, options);
   if (!left) return left.error();
   const Result<Image> right = read_image(b, options);
   if (!right) return right.error();
-  return compare_pictures(*left, *right, threads);
+  return compare_pictures(*left, *right, Threads(thread_count));
 }
 
 }  // namespace
 
 Result<Comparison> compare_files(const std::string& a, const std::string& b,
-                                 const CompareThresholds& thresholds, const Threads& threads) {
+                                 const CompareThresholds& thresholds, int thread_count) {
   const Result<bool> dumps = is_hdf5_file(a);
   if (!dumps) return dumps.error();
   const Result<bool> other = is_hdf5_file(b);
@@ -37,7 +35,7 @@ Result<Comparison> compare_files(const std::string& a, const std::string& b,
   if (*dumps != *other)
     return Error{ErrorCode::kBadInput, a + " and " + b + ": a state against a picture"};
   Result<Comparison> comparison =
-      *dumps ? compare_dumps(a, b, threads) : compare_images(a, b, threads);
+      *dumps ? compare_dumps(a, b, thread_count) : compare_images(a, b, thread_count);
   if (!comparison) return comparison.error();
   comparison->a = a;
   comparison->b = b;

@@ -44,7 +44,7 @@ void write_exr(const std::string& path, const std::vector<Field<float>>& planes)
 
 Result<Comparison> compare(const std::string& a, const std::string& b,
                            const CompareThresholds& thresholds = {}) {
-  return compare_files(a, b, thresholds, Threads(1));
+  return compare_files(a, b, thresholds, 1);
 }
 
 TEST(PlaneDifference, IsThatOfTheDefinition) {

@@ -1,0 +1,19 @@
+#pragma once
+// What is checked of an OpenEXR file before its pixels are read. The C++ library believes the
+// lengths that a file names, and asks for that much memory; its C core compares them with the
+// length of the file first.
+
+#include <string>
+
+#include "core/base/result.h"
+
+namespace pentimento::exr {
+
+/// Channels of a picture, at most. Our own pictures with all layers and pigments have below 200.
+inline constexpr int kMostChannels = 1024;
+
+/// Parses the headers of the file at `path`. Errors: kBadInput if they are damaged, kLimit for more
+/// than kMostChannels channels.
+Result<void> check_header(const std::string& path);
+
+}  // namespace pentimento::exr

@@ -1,0 +1,78 @@
+#include "formats/exr/exr_header.h"
+
+#include <ImfChannelList.h>
+#include <ImfHeader.h>
+#include <ImfOutputFile.h>
+#include <ImfStringAttribute.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <functional>
+#include <string>
+
+#include "formats/image/read_image.h"
+#include "formats/io/describe.h"
+#include "tests/formats/scratch.h"
+
+namespace pentimento {
+namespace {
+
+using test::Scratch;
+
+/// A file whose pixels were never written, which its header does not tell.
+void write_header(const std::string& path, int width, int height, int channels) {
+  Imf::Header header(width, height);
+  for (int c = 0; c < channels; ++c)
+    header.channels().insert("c" + std::to_string(c), Imf::Channel(Imf::HALF));
+  header.insert("note", Imf::StringAttribute("abc"));
+  const Imf::OutputFile file(path.c_str(), header);
+}
+
+/// Replaces `from`, which must be there, by `to` of the same length.
+void change(const std::string& path, const std::string& from, const std::string& to) {
+  std::string bytes = test::slurp(path);
+  const std::size_t at = bytes.find(from);
+  ASSERT_NE(at, std::string::npos);
+  bytes.replace(at, from.size(), to);
+  std::ofstream(path, std::ios::binary) << bytes;
+}
+
+TEST(ExrHeader, IsSoundUpToTheMostChannels) {
+  const Scratch scratch;
+  write_header(scratch.path("a.exr"), 4, 4, exr::kMostChannels);
+  EXPECT_TRUE(exr::check_header(scratch.path("a.exr")));
+  write_header(scratch.path("a.exr"), 4, 4, exr::kMostChannels + 1);
+  const Result<void> more = exr::check_header(scratch.path("a.exr"));
+  ASSERT_FALSE(more);
+  EXPECT_EQ(more.error().code, ErrorCode::kLimit);
+  EXPECT_EQ(more.error().message, scratch.path("a.exr") + ": 1025 channels, the limit is 1024");
+}
+
+TEST(ExrHeader, AnAttributeLongerThanTheFileIsDamage) {
+  const Scratch scratch;
+  const std::string path = scratch.path("a.exr");
+  write_header(path, 4, 4, 3);
+  // Of a type that nobody knows, for which the library takes as much memory as it says.
+  using namespace std::string_literals;
+  change(path, "string\0\x03\0\0\0"s, "strunk\0\x03\0\0\x70"s);
+  for (const Result<void>& done : {exr::check_header(path), Result<void>(read_image(path).error()),
+                                   Result<void>(describe_exr(path).error())}) {
+    ASSERT_FALSE(done);
+    EXPECT_EQ(done.error().code, ErrorCode::kBadInput);
+    EXPECT_EQ(done.error().message.find(path + ": a damaged OpenEXR file: "), 0u);
+  }
+}
+
+TEST(ExrHeader, ManyChannelsOfManyPixelsAreRefusedBeforeMemoryIsTaken) {
+  const Scratch scratch;
+  write_header(scratch.path("a.exr"), 16384, 8192, 33);
+  const Result<Image> read = read_image(scratch.path("a.exr"));
+  ASSERT_FALSE(read);
+  EXPECT_EQ(read.error().code, ErrorCode::kLimit);
+  EXPECT_EQ(
+      read.error().message,
+      scratch.path("a.exr") + ": 33 channels of 134217728 pixels, the limit is 4294967296 in all");
+}
+
+}  // namespace
+}  // namespace pentimento
