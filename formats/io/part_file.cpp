@@ -52,10 +52,27 @@ bool is_dead(pid_t process) {
   return ::kill(process, 0) != 0 && errno == ESRCH;
 }
 
-/// A regular file of this user; links are not followed.
-bool is_own_file(const std::string& path) {
+/// Of this user, and of the kind `type` (S_IFREG or S_IFDIR); links are not followed.
+bool is_own(const std::string& path, mode_t type) {
   struct stat info = {};
-  return ::lstat(path.c_str(), &info) == 0 && S_ISREG(info.st_mode) && info.st_uid == ::geteuid();
+  return ::lstat(path.c_str(), &info) == 0 && (info.st_mode & S_IFMT) == type &&
+         info.st_uid == ::geteuid();
+}
+
+/// Removes what dead processes left in `folder`, if it is of the kind `type`.
+int remove_stale(const std::string& folder, mode_t type) {
+  const std::string place = process_place();
+  std::error_code error;
+  int removed = 0;
+  std::filesystem::directory_iterator entries(folder, error);
+  for (; !error && entries != std::filesystem::directory_iterator(); entries.increment(error)) {
+    const std::optional<pid_t> maker = maker_of(entries->path().filename().string(), place);
+    if (!maker || !is_dead(*maker) || !is_own(entries->path().string(), type)) continue;
+    std::error_code kept;
+    std::filesystem::remove_all(entries->path(), kept);
+    if (!kept) ++removed;
+  }
+  return removed;
 }
 }  // namespace
 
@@ -71,17 +88,11 @@ std::string part_name(const std::string& target) {
 }
 
 int remove_stale_parts(const std::string& folder) {
-  const std::string place = process_place();
-  std::error_code error;
-  int removed = 0;
-  std::filesystem::directory_iterator entries(folder, error);
-  for (; !error && entries != std::filesystem::directory_iterator(); entries.increment(error)) {
-    const std::optional<pid_t> maker = maker_of(entries->path().filename().string(), place);
-    if (!maker || !is_dead(*maker)) continue;
-    const std::string path = entries->path().string();
-    if (is_own_file(path) && ::unlink(path.c_str()) == 0) ++removed;
-  }
-  return removed;
+  return remove_stale(folder, S_IFREG);
+}
+
+int remove_stale_part_folders(const std::string& folder) {
+  return remove_stale(folder, S_IFDIR);
 }
 
 }  // namespace pentimento

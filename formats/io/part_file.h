@@ -18,5 +18,7 @@ std::string part_name(const std::string& target);
 /// of this machine, of this user, of a process that no longer exists. Others stay, also those of
 /// another machine that shares the folder. Returns how many were removed.
 int remove_stale_parts(const std::string& folder);
+/// The same for folders that were made under such a name, with all that they hold.
+int remove_stale_part_folders(const std::string& folder);
 
 }  // namespace pentimento

@@ -1,10 +1,10 @@
 #include "replay/batch/run_folder.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <filesystem>
 
+#include "formats/io/part_file.h"
 #include "formats/io/publish.h"
 #include "formats/io/read_file.h"
 #include "formats/io/sha256.h"
@@ -38,6 +38,7 @@ Result<RunFolder> RunFolder::make(const std::string& path) {
       return Error{ErrorCode::kIo,
                    fmt::format("{}: no folder can be made there: {}", path, problem.message())};
   }
+  remove_stale_part_folders((fs::path(path) / "results").string());
   return RunFolder(path);
 }
 
@@ -75,13 +76,12 @@ std::optional<JobResult> RunFolder::find(const std::string& key) const {
 }
 
 Result<std::string> RunFolder::begin(const std::string& key) const {
-  // Two processes of two machines may do the same job.
-  std::string work =
-      (fs::path(path_) / "results" / (".work-" + key.substr(0, 16) + "-XXXXXX")).string();
-  if (mkdtemp(work.data()) == nullptr)
+  // Two processes of two machines may do the same job: the name has process and machine in it.
+  const fs::path work = part_name((fs::path(path_) / "results" / key).string());
+  std::error_code problem;
+  if (!fs::create_directory(work, problem))
     return Error{ErrorCode::kIo, path_ + ": no folder can be made for a job"};
-  std::error_code ignored;
-  return fs::absolute(work, ignored).string();
+  return fs::absolute(work, problem).string();
 }
 
 void RunFolder::discard(const std::string& work) {

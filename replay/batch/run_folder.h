@@ -19,7 +19,8 @@ namespace pentimento {
 
 class RunFolder {
  public:
-  /// Makes the folder if it is not there. Errors: kIo.
+  /// Makes the folder if it is not there, and removes what killed processes had begun in it.
+  /// Errors: kIo.
   static Result<RunFolder> make(const std::string& path);
   /// Opens one that is there. Errors: kBadInput if it is no run.
   static Result<RunFolder> open(const std::string& path);

@@ -78,7 +78,7 @@ Result<std::unique_ptr<HashWriter>> HashWriter::create(const std::string& path,
   if (!file) return file.error();
   auto impl = std::make_unique<Impl>();
   impl->file = std::move(*file);
-  impl->sink = log::open_sink(*impl->file, log::compression_of(path));
+  impl->sink = log::open_sink(*impl->file, log::compression_of(path), log::Effort::kLittle);
   impl->sink->write(header_object(header).dump(-1, ' ', false, json::error_handler_t::replace) +
                     "\n");
   return std::unique_ptr<HashWriter>(new HashWriter(std::move(impl)));

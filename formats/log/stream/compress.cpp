@@ -14,10 +14,10 @@ class PlainSink : public ByteSink {
 };
 }  // namespace
 
-std::unique_ptr<ByteSink> open_sink(OutputFile& file, Compression compression) {
+std::unique_ptr<ByteSink> open_sink(OutputFile& file, Compression compression, Effort effort) {
   switch (compression) {
     case Compression::kGzip:
-      return gzip_sink(file);
+      return gzip_sink(file, effort);
     case Compression::kZstd:
       return zstd_sink(file);
     case Compression::kNone:

@@ -16,8 +16,9 @@ constexpr int kMemory = 8;            // zlib's default
 
 class GzipSink : public ByteSink {
  public:
-  explicit GzipSink(OutputFile& file) : file_(file), buffer_(1 << 16) {
-    PENTIMENTO_CHECK(deflateInit2(&stream_, Z_DEFAULT_COMPRESSION, Z_DEFLATED, kGzipWindow, kMemory,
+  GzipSink(OutputFile& file, Effort effort) : file_(file), buffer_(1 << 16) {
+    const int level = effort == Effort::kLittle ? Z_BEST_SPEED : Z_DEFAULT_COMPRESSION;
+    PENTIMENTO_CHECK(deflateInit2(&stream_, level, Z_DEFLATED, kGzipWindow, kMemory,
                                   Z_DEFAULT_STRATEGY) == Z_OK);
   }
   ~GzipSink() override { deflateEnd(&stream_); }
@@ -48,8 +49,8 @@ class GzipSink : public ByteSink {
 
 }  // namespace
 
-std::unique_ptr<ByteSink> gzip_sink(OutputFile& file) {
-  return std::make_unique<GzipSink>(file);
+std::unique_ptr<ByteSink> gzip_sink(OutputFile& file, Effort effort) {
+  return std::make_unique<GzipSink>(file, effort);
 }
 
 }  // namespace pentimento::log

@@ -67,5 +67,20 @@ TEST(PartFile, ThatIsALinkOrOfAnotherUserStays) {
   EXPECT_EQ(remove_stale_parts(scratch.path("")), 0);
 }
 
+TEST(PartFile, AFolderOfADeadRunGoesWithWhatItHolds_AndFilesStay) {
+  const test::Scratch scratch;
+  const std::string stale = stale_part(scratch);
+  EXPECT_EQ(remove_stale_part_folders(scratch.path("")), 0) << "a file is no folder";
+  std::filesystem::remove(stale);
+  std::filesystem::create_directories(stale + "/deeper");
+  test::spill(stale + "/deeper/picture.png", "half a picture");
+  const std::string living = part_name(scratch.path("a"));
+  std::filesystem::create_directory(living);
+  EXPECT_EQ(remove_stale_parts(scratch.path("")), 0) << "a folder is no file";
+  EXPECT_EQ(remove_stale_part_folders(scratch.path("")), 1);
+  EXPECT_FALSE(std::filesystem::exists(stale));
+  EXPECT_TRUE(std::filesystem::exists(living));
+}
+
 }  // namespace
 }  // namespace pentimento

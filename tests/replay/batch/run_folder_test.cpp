@@ -1,6 +1,12 @@
 #include "replay/batch/run_folder.h"
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <filesystem>
+#include <iterator>
 
 #include "tests/formats/scratch.h"
 
@@ -20,6 +26,11 @@ class RunFolderTest : public ::testing::Test {
     const std::string work = *run.begin(kKey);
     test::spill(work + "/" + file, "x");
     return *run.keep(result, work);
+  }
+
+  std::size_t folders_of_results() const {
+    const std::filesystem::directory_iterator entries(scratch.path("run/results"));
+    return static_cast<std::size_t>(std::distance(begin(entries), end(entries)));
   }
 
   test::Scratch scratch;
@@ -46,16 +57,27 @@ TEST_F(RunFolderTest, WhatStandsStaysAndGetsWhatItLacks) {
   EXPECT_TRUE(std::filesystem::exists(run.file_of(kKey, "state.h5")));
 }
 
+TEST_F(RunFolderTest, WhatAKilledProcessHadBegunIsRemovedByTheNext) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    const std::string work = *run.begin(kKey);
+    test::spill(work + "/picture.png", "half a picture");
+    ::kill(::getpid(), SIGKILL);
+  }
+  ::waitpid(child, nullptr, 0);
+  const std::string mine = *run.begin(kKey);
+  EXPECT_EQ(folders_of_results(), 2U);
+  ASSERT_TRUE(RunFolder::make(scratch.path("run")));
+  EXPECT_EQ(folders_of_results(), 1U);
+  EXPECT_TRUE(std::filesystem::exists(mine)) << "of a process that lives";
+}
+
 TEST_F(RunFolderTest, WhatEndedByChanceIsReplaced) {
   keep("", ChildEnd::kTimeout, "messages.txt");
   keep("s", ChildEnd::kExit, "picture.png");
   EXPECT_EQ(run.find(kKey)->state_sha256, "s");
   EXPECT_FALSE(std::filesystem::exists(run.file_of(kKey, "messages.txt")));
-  std::size_t folders = 0;
-  for ([[maybe_unused]] const auto& one :
-       std::filesystem::directory_iterator(scratch.path("run/results")))
-    ++folders;
-  EXPECT_EQ(folders, 1U);
+  EXPECT_EQ(folders_of_results(), 1U);
 }
 
 TEST_F(RunFolderTest, ATornResultIsNone) {
