@@ -30,7 +30,7 @@ bool HeldBrush::take(const BrushDefinition& brush) {
 }
 
 const Tip& HeldBrush::tip() {
-  if (tip_ == nullptr) tip_ = tips_.find(brush_);
+  if (tip_ == nullptr) tip_ = tips_->find(brush_);
   return *tip_;
 }
 

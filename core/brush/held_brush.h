@@ -26,7 +26,7 @@ class HeldBrush {
   HeldBrush(const ChannelBasis& basis, const Model& model);
 
   /// Becomes what `other` is, but of its own basis and model, which must be equal to those of
-  /// `other`.
+  /// `other`. From then on both share the tips that either of them draws.
   void become(const HeldBrush& other);
 
   /// Takes a brush. True if it is another brush than the one in the hand: it is clean, and the
@@ -59,7 +59,7 @@ class HeldBrush {
   const Model& model_;
   std::vector<float> amount_;  // per channel, as in PaintLoad
   BrushDefinition brush_;
-  TipRack tips_;
+  std::shared_ptr<TipRack> tips_ = std::make_shared<TipRack>();
   std::shared_ptr<const Tip> tip_;  // nullptr: not asked for yet
   BrushSettings settings_;
   std::vector<DippedColor> colors_ = {{0, kAllRows}};

@@ -1,7 +1,9 @@
 #pragma once
-// Tips that have been drawn are kept here until their brush is used again. Not thread-safe.
+// Tips that have been drawn are kept here until their brush is used again. Several brushes in
+// several threads may share a rack.
 
 #include <memory>
+#include <mutex>
 #include <vector>
 
 #include "core/brush/tip.h"
@@ -22,6 +24,7 @@ class TipRack {
     float grip = 1;
     std::shared_ptr<const Tip> tip;
   };
+  std::mutex mutex_;
   std::vector<Entry> entries_;
 };
 

@@ -26,7 +26,7 @@ BY_CHILD = ("dump", "dump-edits")
 MORE = {
     "dump": ["-max_len=65536", "-detect_leaks=0"],  # the library loses memory when it gives up on a file
     "dump-edits": ["-max_len=256", "-detect_leaks=0"],
-    "replay": ["-max_len=512"],
+    "replay": ["-max_len=512", "-timeout=60"],  # the first use of each brush draws its tip, which takes seconds
 }
 FRAME = re.compile(r"^ +#\d+ ", re.MULTILINE)
 

@@ -68,9 +68,9 @@ std::unique_ptr<Simulation> make_simulation(const Session& session, const Thread
   return std::make_unique<Simulation>(std::move(setup), threads);
 }
 
-/// A simulation before its first step. To draw the tips of the brushes takes a hundred times as
-/// long as the replay, so those of a palette and a model that come again are forks of one that has
-/// all.
+/// A simulation before its first step. To draw the tip of a brush takes a hundred times as long as
+/// the replay, so those of a palette and a model that come again are forks of one: forks share
+/// their tips.
 std::unique_ptr<Simulation> fresh_simulation(const Session& session, const Threads& threads) {
   struct Made {
     SchemeKind scheme;
@@ -86,8 +86,6 @@ std::unique_ptr<Simulation> fresh_simulation(const Session& session, const Threa
         made.bands == model.reflectance_bands())
       return made.simulation->fork(threads);
   std::unique_ptr<Simulation> made = make_simulation(session, one);
-  for (const char* brush : grammar_brushes()) made->set_brush(brushes().find(brush));
-  made->set_brush(brushes().first());
   all.push_back({model.scheme, model.layers, model.reflectance_bands(), std::move(made)});
   return all.back().simulation->fork(threads);
 }

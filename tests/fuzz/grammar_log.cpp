@@ -164,10 +164,6 @@ void Grammar::change() {
 
 }  // namespace
 
-std::span<const char* const> grammar_brushes() {
-  return kBrushes;
-}
-
 GrammarLog grammar_log(Choices& choices) {
   return Grammar(choices).log();
 }

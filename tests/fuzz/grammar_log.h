@@ -3,8 +3,6 @@
 // colours, two touches, gravity, undo and redo, drying and clearing. All but one in 256 have the
 // same palette and pick no other colours, so that what is made for a palette can be made once.
 
-#include <span>
-
 #include "tests/fuzz/choices.h"
 #include "tests/replay/list_reader.h"
 
@@ -15,8 +13,5 @@ struct GrammarLog {
   bool usual = true;  // of the palette that nearly all have
 };
 GrammarLog grammar_log(Choices& choices);
-
-/// Brushes that the logs may name.
-std::span<const char* const> grammar_brushes();
 
 }  // namespace pentimento::test

@@ -45,6 +45,15 @@ TEST_F(HeldBrushTest, HasTheTipOfTheBrushInTheHand) {
   EXPECT_EQ(&other.tip(), &held_.tip()) << "drawn once";
 }
 
+TEST_F(HeldBrushTest, WhoBecameAnotherDrawsNoTipAgain) {
+  HeldBrush other(basis_, model_), third(basis_, model_);
+  other.become(held_);
+  third.become(other);
+  EXPECT_EQ(&third.tip(), &held_.tip()) << "neither had drawn it then";
+  HeldBrush stranger(basis_, model_);
+  EXPECT_NE(&stranger.tip(), &held_.tip());
+}
+
 TEST_F(HeldBrushTest, OnlySlidersOfThePaintLoadItAfresh) {
   BrushSettings settings;
   settings.pickup = 0.9f;
