@@ -105,5 +105,26 @@ TEST(LineSource, BlankLinesAndBytesAreBounded) {
   EXPECT_EQ(lines.next().error().message, "more than 103 bytes, the limit (--limit bytes=N)");
 }
 
+TEST(LineSource, HearsAnInterruptionWhileItIsReadFirst_AndNotAgain) {
+  const test::Scratch scratch;
+  // Longer than what is read at a time, so that the flag falls between two reads.
+  test::spill(scratch.path("long"), std::string(5'000'000, 'x') + "\nb\n");
+  std::atomic<bool> cancelled{false};
+  ReaderOptions options;
+  options.cancelled = &cancelled;
+  LineSource lines(std::move(*ByteSource::open(scratch.path("long"))), options);
+  cancelled = true;
+  const auto interrupted = lines.next();
+  ASSERT_FALSE(interrupted);
+  EXPECT_EQ(interrupted.error().code, ErrorCode::kInterrupted);
+  cancelled = false;
+  ASSERT_TRUE(lines.rewind());
+  while (lines.next().value()) {
+  }
+  cancelled = true;
+  ASSERT_TRUE(lines.rewind());
+  EXPECT_TRUE(lines.next()) << "its length is known: it ends by itself";
+}
+
 }  // namespace
 }  // namespace pentimento::log
