@@ -33,7 +33,7 @@ CHANGES = [
     Change("core/fluid/conservative/conservative_scheme.cpp", "kLeastFilm_m = 5e-5f;", "kLeastFilm_m = 6e-5f;",
            "balance-drips/balance-drips.jsonl", "which films have a surface"),
     Change("core/optics/spectral/measured_paints.h", "kMeasuredScale = 12;", "kMeasuredScale = 12.1;",
-           "wet-on-dry/wet-on-dry.jsonl", "the measured pigments, which dry paint keeps"),
+           "pigments/pigments.jsonl", "the measured pigments, which dry paint keeps"),
 ]
 THREADS = (1, 2, 7)
 COMMAND = mutate.BUILD / "pentimento"
