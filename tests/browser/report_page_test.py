@@ -22,7 +22,9 @@ const shown = () => [...document.querySelectorAll("#rows .id")].map((one) => one
 const chosen = () => document.querySelector("#rows [aria-selected=true] .id").textContent;
 const stage = () => document.getElementById("stage");
 const look = (name) => { seen[name] = { shown: shown(), chosen: chosen(), stage: stage() && stage().className }; };
-Promise.all([...document.images].map((image) => image.decode().catch(() => { seen.broken = image.src; }))).then(() => {
+// All at once when everything is loaded: the browser writes the page down soon after, whatever is still to be done.
+window.addEventListener("load", () => {
+  for (const image of document.images) if (!image.complete || image.naturalWidth === 0) seen.broken = image.src;
   seen.summary = document.getElementById("summary").textContent;
   look("opened");
   key("d"); look("difference"); seen.blend = getComputedStyle(stage().children[1]).mixBlendMode;
