@@ -9,8 +9,9 @@
 
 namespace pentimento::exr {
 
-/// Channels of a picture, at most. Our own pictures with all layers and pigments have below 200.
-inline constexpr int kMostChannels = 1024;
+/// Channels of a picture, at most. One of ours has a channel for each pigment of its log, 4096 at
+/// most unless that limit is raised, and below 64 others.
+inline constexpr int kMostChannels = 4096 + 64;
 
 /// Parses the headers of the file at `path`. Errors: kBadInput if they are damaged, kLimit for more
 /// than kMostChannels channels.
