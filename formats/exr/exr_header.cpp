@@ -3,6 +3,10 @@
 #include <fmt/format.h>
 #include <openexr.h>
 
+#include <cstdint>
+#include <filesystem>
+#include <system_error>
+
 namespace pentimento::exr {
 
 namespace {
@@ -16,13 +20,12 @@ struct Parsed {
   Parsed& operator=(const Parsed&) = delete;
 };
 
-/// Keeps the first wrong length of an attribute: the library goes on after it as if nothing were.
-/// Called instead of printing.
-void keep_wrong_length(exr_const_context_t context, exr_result_t code, const char*) {
+/// Keeps what the library says is wrong: it goes on after most faults as if nothing were. Called
+/// instead of printing.
+void keep_fault(exr_const_context_t context, exr_result_t code, const char*) {
   void* kept = nullptr;
-  if (code != EXR_ERR_ATTR_SIZE_MISMATCH || exr_get_user_data(context, &kept) != EXR_ERR_SUCCESS)
-    return;
-  *static_cast<exr_result_t*>(kept) = code;
+  if (exr_get_user_data(context, &kept) == EXR_ERR_SUCCESS)
+    *static_cast<exr_result_t*>(kept) = code;
 }
 
 Error damaged(const std::string& path, exr_result_t why) {
@@ -30,24 +33,55 @@ Error damaged(const std::string& path, exr_result_t why) {
           fmt::format("{}: a damaged OpenEXR file: {}", path, exr_get_default_error_message(why))};
 }
 
-}  // namespace
-
-Result<void> check_header(const std::string& path) {
-  exr_result_t length = EXR_ERR_SUCCESS;
-  exr_context_initializer_t how = EXR_DEFAULT_CONTEXT_INITIALIZER;
-  how.error_handler_fn = keep_wrong_length;
-  how.user_data = &length;
-  how.flags = EXR_CONTEXT_FLAG_DISABLE_CHUNK_RECONSTRUCTION;
-  Parsed file;
-  exr_result_t done = exr_start_read(&file.context, path.c_str(), &how);
-  if (done == EXR_ERR_SUCCESS) done = length;
-  if (done != EXR_ERR_SUCCESS) return damaged(path, done);
+/// Channels, and the rows that are packed together, for which the C++ library takes memory when it
+/// opens a file.
+Result<void> check_sizes(const std::string& path, exr_const_context_t file, int part) {
   const exr_attr_chlist_t* channels = nullptr;
-  done = exr_get_channels(file.context, 0, &channels);
+  std::uint64_t chunk_bytes = 0;
+  exr_result_t done = exr_get_channels(file, part, &channels);
+  if (done == EXR_ERR_SUCCESS) done = exr_get_chunk_unpacked_size(file, part, &chunk_bytes);
   if (done != EXR_ERR_SUCCESS) return damaged(path, done);
   if (channels->num_channels > kMostChannels)
     return Error{ErrorCode::kLimit, fmt::format("{}: {} channels, the limit is {}", path,
                                                 channels->num_channels, kMostChannels)};
+  if (chunk_bytes > kMostChunkBytes)
+    return Error{ErrorCode::kLimit,
+                 fmt::format("{}: rows that are packed together take {} bytes, the limit is {}",
+                             path, chunk_bytes, kMostChunkBytes)};
+  return {};
+}
+
+/// Whether the file is long enough for its table of chunks, eight bytes each.
+Result<void> check_table(const std::string& path, exr_const_context_t file, int part) {
+  std::int32_t chunks = 0;
+  const exr_result_t done = exr_get_chunk_count(file, part, &chunks);
+  if (done != EXR_ERR_SUCCESS) return damaged(path, done);
+  std::error_code failure;
+  const std::uintmax_t length_bytes = std::filesystem::file_size(path, failure);
+  if (!failure && static_cast<std::uintmax_t>(chunks) > length_bytes / 8)
+    return damaged(path, EXR_ERR_BAD_CHUNK_LEADER);
+  return {};
+}
+
+}  // namespace
+
+Result<void> check_header(const std::string& path) {
+  exr_result_t fault = EXR_ERR_SUCCESS;
+  exr_context_initializer_t how = EXR_DEFAULT_CONTEXT_INITIALIZER;
+  how.error_handler_fn = keep_fault;
+  how.user_data = &fault;
+  how.flags = EXR_CONTEXT_FLAG_DISABLE_CHUNK_RECONSTRUCTION | EXR_CONTEXT_FLAG_STRICT_HEADER;
+  Parsed file;
+  exr_result_t done = exr_start_read(&file.context, path.c_str(), &how);
+  if (done == EXR_ERR_SUCCESS) done = fault;
+  if (done != EXR_ERR_SUCCESS) return damaged(path, done);
+  int parts = 0;
+  done = exr_get_count(file.context, &parts);
+  if (done != EXR_ERR_SUCCESS) return damaged(path, done);
+  for (int part = 0; part < parts; ++part) {
+    if (const Result<void> fits = check_sizes(path, file.context, part); !fits) return fits;
+    if (const Result<void> fits = check_table(path, file.context, part); !fits) return fits;
+  }
   return {};
 }
 

@@ -63,6 +63,47 @@ TEST(ExrHeader, AnAttributeLongerThanTheFileIsDamage) {
   }
 }
 
+TEST(ExrHeader, WhatTheLibraryReadsPastIsDamage) {
+  const Scratch scratch;
+  const std::string path = scratch.path("a.exr");
+  using namespace std::string_literals;
+  write_header(path, 4, 4, 3);
+  change(path, "note\0string\0"s, "note\0\0tring\0"s);  // a type without a name
+  const Result<void> nameless = exr::check_header(path);
+  ASSERT_FALSE(nameless);
+  EXPECT_EQ(nameless.error().code, ErrorCode::kBadInput);
+  write_header(path, 4, 4, 3);
+  change(path, "dataWindow\0box2i"s, "someWindow\0box2i"s);  // needed, and missing
+  const Result<void> missing = exr::check_header(path);
+  ASSERT_FALSE(missing);
+  EXPECT_EQ(missing.error().code, ErrorCode::kBadInput);
+}
+
+/// Makes the data window of a picture of 4 x 4 end at `right` and `bottom`, four bytes each.
+void change_window(const std::string& path, const std::string& right, const std::string& bottom) {
+  using namespace std::string_literals;
+  const std::string begin = "dataWindow\0box2i\0\x10\0\0\0\0\0\0\0\0\0\0\0"s;
+  change(path, begin + "\x03\0\0\0\x03\0\0\0"s, begin + right + bottom);
+}
+
+TEST(ExrHeader, RowsAndTablesThatNoMemoryOrFileHoldsAreRefused) {
+  const Scratch scratch;
+  const std::string path = scratch.path("a.exr");
+  using namespace std::string_literals;
+  write_header(path, 4, 4, 3);
+  change_window(path, "\xff\xff\xff\3"s, "\3\0\0\0"s);  // 2^26 wide: 4 rows of 3 halves
+  const Result<void> wide = exr::check_header(path);
+  ASSERT_FALSE(wide);
+  EXPECT_EQ(wide.error().code, ErrorCode::kLimit);
+  EXPECT_EQ(wide.error().message,
+            path + ": rows that are packed together take 1610612736 bytes, the limit is 268435456");
+  write_header(path, 4, 4, 3);
+  change_window(path, "\3\0\0\0"s, "\xff\xff\xff\3"s);  // 2^26 high: 2^22 chunks
+  const Result<void> high = exr::check_header(path);
+  ASSERT_FALSE(high);
+  EXPECT_EQ(high.error().code, ErrorCode::kBadInput);
+}
+
 TEST(ExrHeader, ManyChannelsOfManyPixelsAreRefusedBeforeMemoryIsTaken) {
   const Scratch scratch;
   write_header(scratch.path("a.exr"), 16384, 8192, 33);
