@@ -3,12 +3,15 @@
 // fastest index, rows start at 64-byte boundaries, row 0 is the top of the canvas. This file has no
 // arithmetic.
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
 #include <memory>
 #include <new>
 #include <span>
+#include <type_traits>
 #include <utility>
 
 #include "core/base/check.h"
@@ -55,14 +58,21 @@ class Field {
     constexpr std::size_t kPerLine = kAlignment / sizeof(T);
     stride_ = static_cast<std::ptrdiff_t>((static_cast<std::size_t>(width) + kPerLine - 1) /
                                           kPerLine * kPerLine);
-    data_.reset(
-        static_cast<T*>(::operator new[](count() * sizeof(T), std::align_val_t{kAlignment})));
-    fill(value);
+    data_ = zeros(count() * sizeof(T));
+    const T zero{};
+    if (std::memcmp(&value, &zero, sizeof(T)) != 0) fill(value);
   }
 
+  /// A copy, which takes memory only where there are values other than zero.
   Field clone() const {
     Field copy(width_, height_);
-    if (count() != 0) std::memcpy(copy.data_.get(), data_.get(), count() * sizeof(T));
+    const std::size_t bytes = count() * sizeof(T);
+    const auto* from = reinterpret_cast<const unsigned char*>(data_.get());
+    auto* to = reinterpret_cast<unsigned char*>(copy.data_.get());
+    for (std::size_t at = 0; at < bytes; at += kPage_bytes) {
+      const std::size_t length = std::min(kPage_bytes, bytes - at);
+      if (!is_zero(from + at, length)) std::memcpy(to + at, from + at, length);
+    }
     return copy;
   }
   void fill(T value) {
@@ -87,13 +97,35 @@ class Field {
 
  private:
   static constexpr std::size_t kAlignment = 64;
+  static constexpr std::size_t kPage_bytes = 4096;  // what the system gives a process at a time
+  static_assert(std::is_trivially_copyable_v<T>, "a plane is copied, and made, as bytes");
   struct Free {
-    void operator()(T* p) const { ::operator delete[](p, std::align_val_t{kAlignment}); }
+    void* allocated = nullptr;  // by calloc; the plane begins at the first multiple of kAlignment
+    void operator()(T*) const { std::free(allocated); }
   };
+  using Plane = std::unique_ptr<T[], Free>;
+
+  /// Zeros. A large plane gets its pages from the system, which are zero and take no memory until
+  /// they are written to.
+  static Plane zeros(std::size_t bytes) {
+    if (bytes == 0) return {};
+    std::size_t space = bytes + kAlignment;
+    void* const allocated = std::calloc(space, 1);
+    if (allocated == nullptr) throw std::bad_alloc();
+    void* begin = allocated;
+    return Plane(static_cast<T*>(std::align(kAlignment, bytes, begin, space)), Free{allocated});
+  }
+
+  static bool is_zero(const unsigned char* bytes, std::size_t length) {
+    unsigned char any = 0;
+    for (std::size_t i = 0; i < length; ++i) any |= bytes[i];
+    return any == 0;
+  }
+
   std::size_t count() const {
     return static_cast<std::size_t>(stride_) * static_cast<std::size_t>(height_);
   }
-  std::unique_ptr<T[], Free> data_;
+  Plane data_;
   int width_ = 0;
   int height_ = 0;
   std::ptrdiff_t stride_ = 0;

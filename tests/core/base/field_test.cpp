@@ -2,6 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstdint>
+#include <fstream>
+#include <utility>
+#include <vector>
+
 namespace pentimento {
 namespace {
 
@@ -21,6 +27,51 @@ TEST(Field, ClonesAreIndependent) {
   b(1, 1) = 8;
   EXPECT_EQ(a(1, 1), 7);
   EXPECT_EQ(b(1, 1), 8);
+}
+
+TEST(Field, ClonesHaveEveryValueOfEveryPage) {
+  // 100 columns are 112 values with their padding: pages begin and end within rows.
+  Field<float> a(100, 300);
+  const std::vector<std::pair<int, int>> at = {{0, 0}, {63, 9}, {64, 9}, {99, 150}, {99, 299}};
+  for (std::size_t i = 0; i < at.size(); ++i)
+    a(at[i].first, at[i].second) = static_cast<float>(i + 1);
+  a(50, 200) = -0.0f;  // a zero whose bits are not: kept
+  const Field<float> b = a.clone();
+  for (int y = 0; y < 300; ++y)
+    for (int x = 0; x < 100; ++x) ASSERT_EQ(b(x, y), a(x, y)) << x << ", " << y;
+  EXPECT_TRUE(std::signbit(b(50, 200)));
+}
+
+TEST(Field, StartsAtAValueOtherThanZero) {
+  const Field<float> a(100, 300, -0.0f);
+  const Field<std::uint8_t> b(100, 300, 3);
+  for (int y = 0; y < 300; ++y)
+    for (int x = 0; x < 100; ++x) {
+      ASSERT_TRUE(std::signbit(a(x, y)));
+      ASSERT_EQ(b(x, y), 3);
+    }
+}
+
+/// Memory of this process that is in use, MiB.
+long resident_mib() {
+  std::ifstream file("/proc/self/statm");
+  long program_pages = 0;
+  long resident_pages = 0;
+  file >> program_pages >> resident_pages;
+  return resident_pages * 4 / 1024;  // Pages of 4 KiB.
+}
+
+TEST(Field, TakesMemoryOnlyWhereItWasWrittenTo) {
+  constexpr int kSide = 8192;  // A plane of 256 MiB.
+  const long before_mib = resident_mib();
+  Field<float> a(kSide, kSide);
+  a(kSide / 2, kSide / 2) = 1.0f;
+  // A sanitizer's shadow of the two planes takes an eighth: 64 MiB.
+  EXPECT_LT(resident_mib() - before_mib, 80);
+  const Field<float> b = a.clone();
+  EXPECT_EQ(b(kSide / 2, kSide / 2), 1.0f);
+  // Pages that are only read are the system's one page of zeros.
+  EXPECT_LT(resident_mib() - before_mib, 80);
 }
 
 TEST(FieldView, WindowsShareTheirPlane) {
