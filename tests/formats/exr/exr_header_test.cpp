@@ -91,12 +91,12 @@ TEST(ExrHeader, RowsAndTablesThatNoMemoryOrFileHoldsAreRefused) {
   const std::string path = scratch.path("a.exr");
   using namespace std::string_literals;
   write_header(path, 4, 4, 3);
-  change_window(path, "\xff\xff\xff\3"s, "\3\0\0\0"s);  // 2^26 wide: 4 rows of 3 halves
+  change_window(path, "\xff\xff\xff\3"s, "\3\0\0\0"s);  // 2^26 wide: 16 rows of 3 halves
   const Result<void> wide = exr::check_header(path);
   ASSERT_FALSE(wide);
   EXPECT_EQ(wide.error().code, ErrorCode::kLimit);
   EXPECT_EQ(wide.error().message,
-            path + ": rows that are packed together take 1610612736 bytes, the limit is 268435456");
+            path + ": rows that are packed together take 6442450944 bytes, the limit is 268435456");
   write_header(path, 4, 4, 3);
   change_window(path, "\3\0\0\0"s, "\xff\xff\xff\3"s);  // 2^26 high: 2^22 chunks
   const Result<void> high = exr::check_header(path);

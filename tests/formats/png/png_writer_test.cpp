@@ -34,8 +34,11 @@ double srgb(double v) {
   return v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055;
 }
 
-/// Towards the neutral of equal luminance (Rec. 709), until it fits.
+/// Darker by three quarters of what is too bright, then towards the neutral of equal luminance
+/// (Rec. 709), until it fits.
 std::array<double, 3> fitted(std::array<double, 3> v) {
+  const double brightest = std::max({v[0], v[1], v[2], 1.0});
+  for (double& c : v) c *= std::pow(brightest, -0.75);
   const double y = std::clamp(0.2126 * v[0] + 0.7152 * v[1] + 0.0722 * v[2], 0.0, 1.0);
   double t = 1;
   for (const double c : v) {
