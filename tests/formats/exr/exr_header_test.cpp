@@ -2,10 +2,13 @@
 
 #include <ImfChannelList.h>
 #include <ImfHeader.h>
+#include <ImfMultiPartOutputFile.h>
 #include <ImfOutputFile.h>
+#include <ImfPartType.h>
 #include <ImfStringAttribute.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <fstream>
 #include <functional>
 #include <string>
@@ -102,6 +105,23 @@ TEST(ExrHeader, RowsAndTablesThatNoMemoryOrFileHoldsAreRefused) {
   const Result<void> high = exr::check_header(path);
   ASSERT_FALSE(high);
   EXPECT_EQ(high.error().code, ErrorCode::kBadInput);
+}
+
+TEST(ExrHeader, EveryPartIsLookedAt) {
+  const Scratch scratch;
+  const std::string path = scratch.path("a.exr");
+  std::array<Imf::Header, 2> parts = {Imf::Header(4, 4), Imf::Header(4, 4)};
+  for (int part = 0; part < 2; ++part) {
+    Imf::Header& header = parts[static_cast<std::size_t>(part)];
+    header.setName("part " + std::to_string(part));
+    header.setType(Imf::SCANLINEIMAGE);
+    for (int c = 0; c < (part == 0 ? 3 : exr::kMostChannels + 1); ++c)
+      header.channels().insert("c" + std::to_string(c), Imf::Channel(Imf::HALF));
+  }
+  { const Imf::MultiPartOutputFile file(path.c_str(), parts.data(), 2); }
+  const Result<void> second = exr::check_header(path);
+  ASSERT_FALSE(second);
+  EXPECT_EQ(second.error().code, ErrorCode::kLimit);
 }
 
 TEST(ExrHeader, ManyChannelsOfManyPixelsAreRefusedBeforeMemoryIsTaken) {
