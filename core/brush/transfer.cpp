@@ -235,7 +235,7 @@ void Transfer::prepare(const FootprintBox& box, int stride) {
   grow(row_, rows);
   grow(touched_, rows);
   grow(tip_row_, rows);
-  contact_.touch_rows(box.y, box.y + box.height);
+  contact_.touch(box.x, box.x + box.width, box.y, box.y + box.height);
 }
 
 void Transfer::for_rows(const StampPlan& plan, void (Transfer::*pass)(const StampPlan&, int, int)) {

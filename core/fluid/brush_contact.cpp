@@ -1,5 +1,7 @@
 #include "core/fluid/brush_contact.h"
 
+#include <algorithm>
+
 namespace pentimento {
 
 BrushContact make_brush_contact(int width, int height) {
@@ -13,14 +15,16 @@ BrushContact make_brush_contact(int width, int height) {
 void clear(BrushContact& c) {
   for (Field<float>* f :
        {&c.weight, &c.velocity_x_m_s, &c.velocity_y_m_s, &c.push_x_m, &c.push_y_m})
-    for (int y = c.row_begin; y < c.row_end; ++y) std::fill_n(f->row(y), f->width(), 0.0f);
+    for (int y = c.row_begin; y < c.row_end; ++y)
+      std::fill(f->row(y) + c.column_begin, f->row(y) + c.column_end, 0.0f);
   c.row_begin = c.row_end = 0;
+  c.column_begin = c.column_end = 0;
 }
 
 BrushContact clone(const BrushContact& c) {
   return {c.weight.clone(),   c.velocity_x_m_s.clone(), c.velocity_y_m_s.clone(),
           c.push_x_m.clone(), c.push_y_m.clone(),       c.row_begin,
-          c.row_end};
+          c.row_end,          c.column_begin,           c.column_end};
 }
 
 }  // namespace pentimento

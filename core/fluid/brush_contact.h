@@ -1,7 +1,7 @@
 #pragma once
 // The contact: where the brush touched the canvas during one step, and how it moved. The stamps
-// write it for the fluid. All planes are zero outside the rows [row_begin, row_end). The simulation
-// clears it after each step.
+// write it for the fluid. All planes are zero outside the rows [row_begin, row_end) and the columns
+// [column_begin, column_end). The simulation clears it after each step.
 
 #include <algorithm>
 
@@ -15,13 +15,17 @@ struct BrushContact {
   Field<float> velocity_y_m_s;  // y down
   Field<float> push_x_m;        // sum over stamps of alpha ds direction e(r): `conservative`
   Field<float> push_y_m;
-  int row_begin = 0, row_end = 0;  // rows touched; empty when equal
+  int row_begin = 0, row_end = 0;        // touched; empty when equal
+  int column_begin = 0, column_end = 0;  // of these rows
 
   bool empty() const { return row_begin == row_end; }
-  void touch_rows(int begin, int end) {
-    if (begin >= end) return;
-    row_begin = empty() ? begin : std::min(row_begin, begin);
-    row_end = std::max(row_end, end);
+  /// Columns [x0, x1) of the rows [y0, y1) will be written to. At least one cell, on the canvas.
+  void touch(int x0, int x1, int y0, int y1) {
+    const bool first = empty();
+    row_begin = first ? y0 : std::min(row_begin, y0);
+    row_end = std::max(row_end, y1);
+    column_begin = first ? x0 : std::min(column_begin, x0);
+    column_end = std::max(column_end, x1);
   }
 };
 

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "core/base/finite.h"
 #include "core/brush/held_brush.h"
@@ -302,20 +305,25 @@ PaintFlow Simulation::wet() const {
 
 std::string Simulation::first_non_finite() const {
   const CanvasState& s = impl_->state;
-  const auto check = [](const Field<float>& plane, const std::string& name) {
-    return non_finite_in(plane, name);
-  };
-  std::string found = check(s.depth_m, "depth");
-  if (found.empty()) found = check(s.velocity_x_m_s, "velocity_x");
-  if (found.empty()) found = check(s.velocity_y_m_s, "velocity_y");
-  if (found.empty()) found = check(s.base_m, "base");
-  for (std::size_t i = 0; found.empty() && i < s.reflectance.size(); ++i)
-    found = check(s.reflectance[i], "reflectance " + std::to_string(i));
-  for (std::size_t i = 0; found.empty() && i < s.pigment.size(); ++i)
-    found = check(s.pigment[i],
-                  "layer " + std::to_string(i / static_cast<std::size_t>(s.channels)) +
-                      " channel " + std::to_string(i % static_cast<std::size_t>(s.channels)));
-  return found;
+  std::vector<std::pair<const Field<float>*, std::string>> planes = {
+      {&s.depth_m, "depth"},
+      {&s.velocity_x_m_s, "velocity_x"},
+      {&s.velocity_y_m_s, "velocity_y"},
+      {&s.base_m, "base"}};
+  for (std::size_t i = 0; i < s.reflectance.size(); ++i)
+    planes.emplace_back(&s.reflectance[i], "reflectance " + std::to_string(i));
+  for (std::size_t i = 0; i < s.pigment.size(); ++i)
+    planes.emplace_back(&s.pigment[i],
+                        "layer " + std::to_string(i / static_cast<std::size_t>(s.channels)) +
+                            " channel " + std::to_string(i % static_cast<std::size_t>(s.channels)));
+  std::vector<std::string> found(planes.size());
+  impl_->threads.for_ranges(0, static_cast<int>(planes.size()), 1, [&](int begin, int end) {
+    for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+      found[i] = non_finite_in(*planes[i].first, planes[i].second);
+  });
+  const auto first =
+      std::find_if(found.begin(), found.end(), [](const std::string& f) { return !f.empty(); });
+  return first == found.end() ? std::string() : *first;
 }
 
 std::vector<std::pair<std::string, double>> Simulation::statistics() const {

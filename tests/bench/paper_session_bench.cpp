@@ -52,7 +52,7 @@ class Session {
           contact_.velocity_x_m_s(x, j) = speed_m_s;
         }
       }
-      contact_.touch_rows(y - 12, y + 12);
+      contact_.touch(x0 - 12, x1 + 12, y - 12, y + 12);
       steps(1);
       clear(contact_);
     }

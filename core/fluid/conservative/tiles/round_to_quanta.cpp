@@ -28,7 +28,7 @@ CellBox rounded_box(const BrushContact& contact) {
   CellBox box{contact.weight.width(), 0, contact.row_begin, contact.row_end};
   for (int y = box.y0; y < box.y1; ++y) {
     const float* weight = contact.weight.row(y);
-    for (int x = 0; x < contact.weight.width(); ++x) {
+    for (int x = contact.column_begin; x < contact.column_end; ++x) {
       if (!(weight[x] > 0)) continue;
       box.x0 = std::min(box.x0, x);
       box.x1 = std::max(box.x1, x + 1);

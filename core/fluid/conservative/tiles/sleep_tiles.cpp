@@ -112,12 +112,14 @@ SleepTiles::Motion SleepTiles::flow_in(const CanvasState& state, int tile, float
 
 SleepTiles::Motion SleepTiles::touch_in(const BrushContact& contact, int tile) const {
   const CellBox b = box(tile);
+  const int begin = std::max(b.x0, contact.column_begin);
+  const int end = std::min(b.x1, contact.column_end);
   Motion m;
   for (int y = std::max(b.y0, contact.row_begin); y < std::min(b.y1, contact.row_end); ++y) {
     const float* weight = contact.weight.row(y);
     const float* push_x = contact.push_x_m.row(y);
     const float* push_y = contact.push_y_m.row(y);
-    for (int x = b.x0; x < b.x1; ++x)
+    for (int x = begin; x < end; ++x)
       if (weight[x] > 0 || push_x[x] != 0 || push_y[x] != 0)
         m.add(x, y, push_x[x] / dx_m_, push_y[x] / dy_m_);
   }

@@ -84,7 +84,7 @@ TEST(ConservativeScheme, GivesTheSameBitsOnEveryBuild) {
   Basin b = painted(150, 90, 1);
   b.contact.push_x_m(50, 50) = 0.003f;
   b.contact.weight(50, 50) = 1;
-  b.contact.touch_rows(50, 51);
+  b.contact.touch(50, 51, 50, 51);
   b.steps(30);
   EXPECT_EQ(hash_of(b.state), 0x865f74e4645eb476u) << std::hex << hash_of(b.state);
 }

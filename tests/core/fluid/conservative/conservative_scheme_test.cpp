@@ -142,7 +142,7 @@ TEST(ConservativeScheme, ABrushPushesOnceInAStepCutIntoParts) {
       b.contact.push_x_m(x, y) = 0.002f;
       b.contact.push_y_m(x, y) = -0.001f;
     }
-  b.contact.touch_rows(10, 50);
+  b.contact.touch(10, 50, 10, 50);
   for (int y = 80; y < 84; ++y)
     for (int x = 80; x < 84; ++x) {
       b.state.depth_m(x, y) = 0.01f;

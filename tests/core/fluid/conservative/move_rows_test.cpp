@@ -29,7 +29,7 @@ Basin moving(float speed) {
       b.contact.push_x_m(x, y) = 4e-4f;
       b.contact.push_y_m(x, y) = -3e-4f * wave;
     }
-  b.contact.touch_rows(60, 81);
+  b.contact.touch(200, 261, 60, 81);
   return b;
 }
 

@@ -91,7 +91,7 @@ TEST(Sleep, AStampWakesOnlyWhatItTouches) {
   steps_until_asleep(b, 10);
   // In tile 6 of row 4, each of 32 x 32 cells and 8 of them in a row.
   b.contact.weight(210, 150) = 1;
-  b.contact.touch_rows(150, 151);
+  b.contact.touch(210, 211, 150, 151);
   EXPECT_TRUE(b.step());
   EXPECT_EQ(awake_tiles(b), (std::vector<int>{4 * 8 + 6}));
   EXPECT_TRUE(b.step());  // found at rest
@@ -117,7 +117,7 @@ class WakeTest : public ::testing::Test {
     b_.contact.weight(x, y) = 1;
     b_.contact.push_x_m(x, y) = push_x_m;
     b_.contact.push_y_m(x, y) = push_y_m;
-    b_.contact.touch_rows(y, y + 1);
+    b_.contact.touch(x, x + 1, y, y + 1);
     return wake();
   }
 

@@ -73,7 +73,7 @@ struct TestCanvas {
         contact.velocity_x_m_s(x, y) = u;
         contact.velocity_y_m_s(x, y) = v;
       }
-    contact.touch_rows(y0, y1);
+    contact.touch(x0, x1, y0, y1);
   }
 
   Model model;

@@ -107,7 +107,7 @@ TEST_F(TilesTest, AnyComponentOfGravityWakesAll) {
 
 TEST_F(TilesTest, ATouchedTileStaysAwakeForTheNextStep) {
   contact_.weight(20, 19) = 1;
-  contact_.touch_rows(19, 20);
+  contact_.touch(20, 21, 19, 20);
   wake();
   EXPECT_EQ(awake(), ".... .... .#.. .... ");
   const auto feels = [](const CellBox&) { return true; };
