@@ -455,6 +455,25 @@ TEST(Simulation, NamesTheFirstNonFiniteValue) {
   EXPECT_EQ(sim.first_non_finite(), "depth at cell (3,4)");
 }
 
+TEST(Simulation, LooksForNonFiniteValuesInEveryPlane) {
+  for (const int count : {1, 2, 7}) {
+    const Threads threads(count);
+    Simulation sim(setup_of(64, 2), threads);
+    const CanvasGeometry geometry = sim.state().geometry;
+    for (std::size_t plane = 0; plane < 6; ++plane) {
+      CanvasState state = make_canvas_state(geometry, 2, 3, 3, 1);
+      state.pigment[plane](geometry.width - 1, geometry.height - 1) = INFINITY;
+      state.pigment[5](1, 0) = std::nanf("");  // the first in order is named
+      sim.restore(std::move(state));
+      const std::string place = plane == 5 ? "(1,0)"
+                                           : "(" + std::to_string(geometry.width - 1) + "," +
+                                                 std::to_string(geometry.height - 1) + ")";
+      EXPECT_EQ(sim.first_non_finite(), "layer " + std::to_string(plane / 3) + " channel " +
+                                            std::to_string(plane % 3) + " at cell " + place);
+    }
+  }
+}
+
 TEST(Simulation, TheSlidersAtZeroMakeABlender) {
   const Threads threads(1);
   Simulation sim(setup_of(128, 2), threads);
