@@ -8,6 +8,7 @@
 #include "cli/command.h"
 #include "cli/picture_options.h"
 #include "cli/range.h"
+#include "cli/shader_folder.h"
 #include "cli/talk.h"
 #include "formats/video/video_writer.h"
 #include "replay/commands/relight.h"
@@ -77,6 +78,7 @@ int run_relight(const Arguments& arguments) {
   Result<ProgressMode> mode = progress_mode(o.talk.progress, o.talk.quiet);
   if (!mode) return fail(mode.error());
   ProgressPrinter printer(*mode);
+  use_shader_folder();
   Result<JobReport> done = relight(o.job, make_control(printer, o.talk));
   if (!done) return printer.fail(done.error());
   return report(*done, o.talk, printer);

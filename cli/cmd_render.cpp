@@ -13,6 +13,7 @@
 #include "cli/picture_options.h"
 #include "cli/progress.h"
 #include "cli/range.h"
+#include "cli/shader_folder.h"
 #include "cli/talk.h"
 #include "cli/values.h"
 #include "formats/log/tables/ranges.h"
@@ -177,6 +178,7 @@ int run_render(const Arguments& arguments) {
   Result<ProgressMode> mode = progress_mode(o.talk.progress, o.talk.quiet);
   if (!mode) return fail(mode.error());
   ProgressPrinter printer(*mode);
+  use_shader_folder();
   return run(o, printer);
 }
 

@@ -50,7 +50,8 @@ class Place:
 
     def run(self, fault=None):
         """(exit code, standard error, number of calls)"""
-        environment = dict(os.environ, LC_ALL="C")
+        # Without shaders kept by runs before: every run makes the same calls.
+        environment = dict(os.environ, LC_ALL="C", PENTIMENTO_CACHE="")
         count = self.path / "count"
         if fault:
             environment.update(LD_PRELOAD=self.shim, PENTIMENTO_FAULT=fault, PENTIMENTO_FAULT_COUNT=str(count))

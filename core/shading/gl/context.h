@@ -3,6 +3,7 @@
 // time, so the program starts without them and says what is missing.
 
 #include <memory>
+#include <string>
 #include <string_view>
 
 #include "core/base/result.h"
@@ -28,8 +29,15 @@ Result<std::unique_ptr<GlContext>> open_osmesa_context();
 /// EGL without a surface: Mesa's software or a GPU's driver.
 Result<std::unique_ptr<GlContext>> open_egl_context();
 
+/// Lets Mesa keep compiled shaders in `folder`, which must be this user's own, and find them there:
+/// most of the time that a small picture takes is compiling. Not for a process that makes pictures
+/// after it was forked off: Mesa writes there from a thread of its own. Call it before the first
+/// context opens. It sets environment variables.
+void keep_compiled_shaders(const std::string& folder);
+
 /// What Mesa reads from the environment when its first context opens: its threads (0 = it works in
-/// the calling thread), and that it keeps no compiled shaders on disk. Later calls change nothing.
+/// the calling thread), and that it keeps no compiled shaders on disk unless it was told to. Later
+/// calls change nothing.
 void prepare_mesa(int gl_threads);
 /// An error in a process that was forked off one in which Mesa has threads: here it has none, and
 /// would wait for them for ever.

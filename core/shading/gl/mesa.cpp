@@ -16,10 +16,16 @@ pid_t process_of_threads(int gl_threads) {
 }
 }  // namespace
 
+void keep_compiled_shaders(const std::string& folder) {
+  setenv("MESA_SHADER_CACHE_DIR", folder.c_str(), 1);
+  setenv("MESA_SHADER_CACHE_MAX_SIZE", "64M", 1);  // ours take 0.1 MB for each kind of processor
+  setenv("MESA_SHADER_CACHE_DISABLE", "false", 1);
+}
+
 void prepare_mesa(int gl_threads) {
   process_of_threads(gl_threads);
   setenv("LP_NUM_THREADS", std::to_string(gl_threads).c_str(), 1);
-  setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
+  setenv("MESA_SHADER_CACHE_DISABLE", "true", 0);
 }
 
 Result<void> check_mesa_threads() {
