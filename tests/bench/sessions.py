@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 """How much faster than it was painted a session is replayed, before and after a change.
 
-    sessions.py OUT.md BEFORE AFTER LOG[:SECONDS]... [--repeats N]
+    sessions.py PAGE BEFORE AFTER LOG[:SECONDS]... [--repeats N]
 
 BEFORE and AFTER are two builds of the command. Each log, or its first SECONDS, is rendered by both in turn,
 N times (3). What a run takes to its first step (`--at 0`) is taken off its time, so that start-up does not
-count. Writes a table of medians to OUT.md. Both must come to the same state, or the table says so.
+count. Writes a table of medians to PAGE. Both must come to the same state, or the table says so.
 """
 import argparse
 import json
