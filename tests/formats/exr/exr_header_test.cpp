@@ -31,7 +31,7 @@ void write_header(const std::string& path, int width, int height, int channels) 
   const Imf::OutputFile file(path.c_str(), header);
 }
 
-/// Replaces `from`, which must be there, by `to` of the same length.
+/// Replaces `from`, which must be there.
 void change(const std::string& path, const std::string& from, const std::string& to) {
   std::string bytes = test::slurp(path);
   const std::size_t at = bytes.find(from);
@@ -80,6 +80,19 @@ TEST(ExrHeader, WhatTheLibraryReadsPastIsDamage) {
   const Result<void> missing = exr::check_header(path);
   ASSERT_FALSE(missing);
   EXPECT_EQ(missing.error().code, ErrorCode::kBadInput);
+}
+
+TEST(ExrHeader, AListOfChannelsEndsWhereTheFileSays) {
+  const Scratch scratch;
+  const std::string path = scratch.path("a.exr");
+  using namespace std::string_literals;
+  write_header(path, 4, 4, 3);
+  // A name is longer by a letter, and the zero that ends the list is gone: its length is right.
+  change(path, "chlist\0\x3a\0\0\0c0"s, "chlist\0\x3a\0\0\0cc0"s);
+  change(path, "\1\0\0\0\1\0\0\0\0compression"s, "\1\0\0\0\1\0\0\0compression"s);
+  const Result<void> done = exr::check_header(path);
+  ASSERT_FALSE(done);
+  EXPECT_EQ(done.error().code, ErrorCode::kBadInput);
 }
 
 /// Makes the data window of a picture of 4 x 4 end at `right` and `bottom`, four bytes each.
