@@ -64,29 +64,34 @@ bool has_its_end(const std::string& list) {
   return at + 1 == list.size();
 }
 
-/// Whether all lists of channels of the next header have their ends. Leaves `file` behind that
-/// header. Its layout has been checked: names, types and lengths.
-bool next_lists_end(std::istream& file) {
+/// Whether all lists of channels of the next header have their ends, and no value is longer than
+/// the file. Leaves `file` behind that header.
+bool next_lists_end(std::istream& file, std::uintmax_t file_bytes) {
   bool all = true;
   std::string name, type;
-  while (std::getline(file, name, '\0') && !name.empty()) {
+  while (all && std::getline(file, name, '\0') && !name.empty()) {
     std::array<unsigned char, 4> length{};
     std::getline(file, type, '\0');
     file.read(reinterpret_cast<char*>(length.data()), length.size());
-    std::string value(length[0] | length[1] << 8 | length[2] << 16 | std::size_t{length[3]} << 24,
-                      '\0');
-    file.read(value.data(), static_cast<std::streamsize>(value.size()));
-    if (type == "chlist" && !has_its_end(value)) all = false;
+    const std::size_t bytes =
+        length[0] | length[1] << 8 | length[2] << 16 | std::size_t{length[3]} << 24;
+    if (bytes > file_bytes) return false;
+    std::string value(bytes, '\0');
+    file.read(value.data(), static_cast<std::streamsize>(bytes));
+    all = type != "chlist" || has_its_end(value);
   }
   return all;
 }
 
 Result<void> check_lists(const std::string& path, int parts) {
   constexpr std::streamoff kFirstHeader = 8;  // behind the magic number and the version
+  std::error_code failure;
+  const std::uintmax_t file_bytes = std::filesystem::file_size(path, failure);
   std::ifstream file(path, std::ios::binary);
   file.seekg(kFirstHeader);
   for (int part = 0; part < parts; ++part)
-    if (!next_lists_end(file)) return damaged(path, EXR_ERR_ATTR_SIZE_MISMATCH);
+    if (failure || !next_lists_end(file, file_bytes))
+      return damaged(path, EXR_ERR_ATTR_SIZE_MISMATCH);
   return {};
 }
 
