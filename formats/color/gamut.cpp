@@ -21,8 +21,10 @@ LinearRgb into_gamut(const LinearRgb& c, const LinearRgb& weights) {
   LinearRgb finite;
   for (std::size_t i = 0; i < 3; ++i) finite[i] = std::clamp(c[i], -kLargest, kLargest);
   const float brightest = std::max({finite[0], finite[1], finite[2]});
-  if (brightest > 1)
-    for (float& v : finite) v *= darker_by(brightest);
+  if (brightest > 1) {
+    const float darker = darker_by(brightest);
+    for (float& v : finite) v *= darker;
+  }
   const float y = (weights[0] * finite[0] + weights[1] * finite[1]) + weights[2] * finite[2];
   if (y >= 1) return {1, 1, 1};
   if (y <= 0) return {0, 0, 0};

@@ -83,26 +83,22 @@ bool next_lists_end(std::istream& file, std::uintmax_t file_bytes) {
   return all;
 }
 
-Result<void> check_lists(const std::string& path, int parts) {
+Result<void> check_lists(const std::string& path, std::uintmax_t file_bytes, int parts) {
   constexpr std::streamoff kFirstHeader = 8;  // behind the magic number and the version
-  std::error_code failure;
-  const std::uintmax_t file_bytes = std::filesystem::file_size(path, failure);
   std::ifstream file(path, std::ios::binary);
   file.seekg(kFirstHeader);
   for (int part = 0; part < parts; ++part)
-    if (failure || !next_lists_end(file, file_bytes))
-      return damaged(path, EXR_ERR_ATTR_SIZE_MISMATCH);
+    if (!next_lists_end(file, file_bytes)) return damaged(path, EXR_ERR_ATTR_SIZE_MISMATCH);
   return {};
 }
 
 /// Whether the file is long enough for its table of chunks, eight bytes each.
-Result<void> check_table(const std::string& path, exr_const_context_t file, int part) {
+Result<void> check_table(const std::string& path, std::uintmax_t file_bytes,
+                         exr_const_context_t file, int part) {
   std::int32_t chunks = 0;
   const exr_result_t done = exr_get_chunk_count(file, part, &chunks);
   if (done != EXR_ERR_SUCCESS) return damaged(path, done);
-  std::error_code failure;
-  const std::uintmax_t length_bytes = std::filesystem::file_size(path, failure);
-  if (!failure && static_cast<std::uintmax_t>(chunks) > length_bytes / 8)
+  if (static_cast<std::uintmax_t>(chunks) > file_bytes / 8)
     return damaged(path, EXR_ERR_BAD_CHUNK_LEADER);
   return {};
 }
@@ -120,11 +116,15 @@ Result<void> check_header(const std::string& path) {
   int parts = 0;
   done = exr_get_count(file.context, &parts);
   if (done != EXR_ERR_SUCCESS) return damaged(path, done);
+  std::error_code failure;
+  const std::uintmax_t file_bytes = std::filesystem::file_size(path, failure);
+  if (failure) return damaged(path, EXR_ERR_READ_IO);
   for (int part = 0; part < parts; ++part) {
     if (const Result<void> fits = check_sizes(path, file.context, part); !fits) return fits;
-    if (const Result<void> fits = check_table(path, file.context, part); !fits) return fits;
+    if (const Result<void> fits = check_table(path, file_bytes, file.context, part); !fits)
+      return fits;
   }
-  return check_lists(path, parts);
+  return check_lists(path, file_bytes, parts);
 }
 
 }  // namespace pentimento::exr

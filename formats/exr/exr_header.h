@@ -1,7 +1,7 @@
 #pragma once
 // What is checked of an OpenEXR file before its pixels are read. The C++ library believes the
-// lengths that a file names, and asks for that much memory; its C core compares them with the
-// length of the file first.
+// lengths that a file names, and asks for that much memory; its C core compares most of them with
+// the length of the file first, and what it leaves out is compared here.
 
 #include <cstdint>
 #include <string>
