@@ -65,10 +65,12 @@ struct Simulation::Impl {
     }
     account = empty_account(setup.basis.channels());
     adopt_state();
+    fresh = true;
   }
 
   /// What refers to the planes of the state is made again.
   void adopt_state() {
+    fresh = false;
     scheme = make_scheme(model.scheme, setup.geometry, state.layers, state.channels);
     contact = make_brush_contact(setup.geometry.width, setup.geometry.height);
     transfer.emplace(state, contact, account, amount, threads);
@@ -98,6 +100,7 @@ struct Simulation::Impl {
   std::unique_ptr<FluidScheme> scheme;
   std::optional<Transfer> transfer;
   CanvasListener* listener = nullptr;
+  bool fresh = false;  // StepInput::fresh, of the next step
 
   HeldBrush held;
   std::map<int, TouchState> touches;
@@ -176,6 +179,7 @@ void Simulation::dry() {
   dry_canvas(impl_->state, impl_->setup.basis, impl_->model, EdgeCells::kPartlyCovered,
              impl_->threads, impl_->account.dried);
   impl_->state.sleep.clear();
+  impl_->fresh = true;
 }
 
 void Simulation::clear() {
@@ -205,6 +209,7 @@ std::unique_ptr<Simulation> Simulation::fork(const Threads& threads) const {
   to.state = clone_state(from.state);
   to.adopt_state();
   to.contact = clone(from.contact);
+  to.fresh = from.fresh;
   to.held.become(from.held);
   to.touches = from.touches;
   to.gravity_m_s2 = from.gravity_m_s2;
@@ -271,10 +276,11 @@ bool Simulation::step() {
   Impl& m = *impl_;
   const bool touched = !m.contact.empty();
   const StepInput in{m.model,  m.gravity_m_s2, m.setup.dt_s, m.contact,
-                     m.amount, m.threads,      m.listener};
+                     m.amount, m.threads,      m.listener,   m.fresh};
   const bool moved = m.scheme->step(m.state, in);
   if (m.listener != nullptr) m.listener->stepped(m.state, in);
   pentimento::clear(m.contact);
+  m.fresh = false;
   ++m.state.step;
   return moved || touched;
 }

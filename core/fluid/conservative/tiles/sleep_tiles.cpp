@@ -38,6 +38,12 @@ bool raise_row(const float* __restrict u, const float* __restrict v, int n,
   return any != 0;
 }
 
+void note_gravity(const Vec3f& gravity_m_s2, float* rest) {
+  rest[kGravityX] = gravity_m_s2.x;
+  rest[kGravityY] = gravity_m_s2.y;
+  rest[kGravityZ] = gravity_m_s2.z;
+}
+
 int cells_travelled(float travel) {
   return static_cast<int>(std::min(travel, 1e6f)) + 3;  // rounded up, and two cells more
 }
@@ -161,6 +167,15 @@ void SleepTiles::wake_by_gravity(const CanvasState& state, const StepInput& in) 
   }
 }
 
+void SleepTiles::rest_fresh(CanvasState& state, const StepInput& in) const {
+  state.sleep.assign(awake_.size() * kSleepValues, 0);
+  for (std::size_t tile = 0; tile < awake_.size(); ++tile) {
+    float* rest = &state.sleep[tile * kSleepValues];
+    rest[kAsleep] = 1;
+    note_gravity(in.gravity_m_s2, rest);
+  }
+}
+
 std::vector<int> SleepTiles::wake(const CanvasState& state, const StepInput& in) {
   was_awake_ = awake_;
   std::fill(disturbed_.begin(), disturbed_.end(), std::uint8_t{0});
@@ -206,9 +221,7 @@ void SleepTiles::fall_asleep(CanvasState& state, const StepInput& in,
           !disturbed_[static_cast<std::size_t>(tile)] && flow_in(state, tile, in.dt_s).box.empty();
       rest[kAsleep] = rests ? 1.0f : 0.0f;
       if (!rests) continue;
-      rest[kGravityX] = in.gravity_m_s2.x;
-      rest[kGravityY] = in.gravity_m_s2.y;
-      rest[kGravityZ] = in.gravity_m_s2.z;
+      note_gravity(in.gravity_m_s2, rest);
       rest[kFeelsGravity] = feels_gravity(box(tile)) ? 1.0f : 0.0f;
     }
   });
