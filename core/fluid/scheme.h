@@ -25,8 +25,8 @@ struct StepInput {
   const std::vector<float>& amount;  // per channel: share in the total amount (m of A26)
   const Threads& threads;
   AdvectionListener* listener = nullptr;  // is told how paint moves; nullptr: nobody is
-  // Whether the canvas was made or dried since the last step: no paint is wet but where the contact
-  // is, and nothing moves.
+  // Whether the canvas was made or dried since the last step: no paint is wet but what the contact
+  // has left, and nothing moves.
   bool fresh = false;
 };
 // gravity_m_s2 is what an accelerometer reads (specific force), so paint accelerates AGAINST it:

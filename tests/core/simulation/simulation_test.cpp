@@ -329,7 +329,6 @@ TEST(Simulation, DryPaintSleepsWhateverGravityDoes) {
   for (int i = 0; i < 2000 && sim.step(); ++i) continue;
   ASSERT_FALSE(sim.step());
   sim.dry();
-  EXPECT_TRUE(sim.step());  // looked at once more: the relief has changed
   EXPECT_FALSE(sim.step());
   sim.set_gravity({0, 9.81f, 0});
   EXPECT_FALSE(sim.step());
@@ -404,6 +403,49 @@ TEST(Simulation, ClearGivesAFreshCanvasAndNewBooks) {
   EXPECT_TRUE(same_bits(sim.state().reflectance[0], fresh.state().reflectance[0]));
   EXPECT_EQ(sim.account().deposited.medium_m3, 0);
   EXPECT_EQ(sim.state().step, 1);
+}
+
+TEST(Simulation, AFreshCanvasSleeps_AndComesToTheSameState) {
+  const Threads threads(1);
+  for (const bool at_once : {false, true}) {
+    const Vec3f gravity = at_once ? Vec3f{0, 0, 9.81f} : Vec3f{3, -6.9f, 6.2f};
+    Simulation sleepy(setup_of(256, 2, SchemeKind::kConservative), threads);
+    Simulation wakeful(setup_of(256, 2, SchemeKind::kConservative), threads);
+    for (Simulation* sim : {&sleepy, &wakeful}) {
+      Model model = sim->model();
+      model.sleep_tile_m = static_cast<float>(kWidth_m) / 16;
+      sim->set_model(model);
+      sim->set_gravity(gravity);
+    }
+    // Three canvases: just made, dried, cleared. They are touched at once, or in the second step. A
+    // state that was restored is computed everywhere.
+    for (const int canvas : {0, 1, 2}) {
+      if (canvas == 1) sleepy.dry(), wakeful.dry();
+      if (canvas == 2) sleepy.clear(), wakeful.clear();
+      wakeful.restore(clone_state(wakeful.state()));
+      if (!at_once) {
+        EXPECT_FALSE(sleepy.step());
+        EXPECT_TRUE(wakeful.step());
+        EXPECT_EQ(sleepy.state().sleep, wakeful.state().sleep) << canvas;
+      }
+      for (Simulation* sim : {&sleepy, &wakeful})
+        paint(*sim, {{at(0.05, 0.07, 0), at(0.09, 0.08, 1)}, 0, 1, 0});
+      for (int step = 0; step < 40; ++step) sleepy.step(), wakeful.step();
+      expect_same_bits(sleepy.state(), wakeful.state());
+      EXPECT_TRUE(same_bits(sleepy.state().velocity_y_m_s, wakeful.state().velocity_y_m_s));
+      EXPECT_EQ(sleepy.state().sleep, wakeful.state().sleep) << canvas;
+      EXPECT_FALSE(sleepy.state().sleep.empty());
+    }
+    const auto most_awake = [](const Simulation& sim) {
+      for (const auto& [name, value] : sim.statistics())
+        if (name == "awake_share_max") return value;
+      return -1.0;
+    };
+    EXPECT_EQ(most_awake(wakeful), 1);
+    if (!at_once) {
+      EXPECT_LT(most_awake(sleepy), 0.5);
+    }
+  }
 }
 
 TEST(Simulation, ALoadedImageIsTheDryLayer) {

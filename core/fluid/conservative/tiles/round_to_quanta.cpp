@@ -1,24 +1,64 @@
 #include "core/fluid/conservative/tiles/round_to_quanta.h"
 
 #include <algorithm>
+#include <array>
+#include <span>
+#include <vector>
 
+#include "core/base/any_not_zero.h"
 #include "core/fluid/conservative/tiles/quantum.h"
 
 namespace pentimento::conservative {
 namespace {
 
-void round_plane(const CellBox& box, float quantum, Field<float>& plane) {
-  const float rounder = rounder_for(quantum);
+constexpr std::size_t kTogether = 4;
+
+// A plane that is rounded: what turns its values into whole quanta, and what rounding has taken so
+// far.
+struct RoundedPlane {
+  Field<float>* plane = nullptr;
+  float rounder = 0;
   float carried = 0;
-  for (int y = box.y0; y < box.y1; ++y) {
-    float* value = plane.row(y);
-    for (int x = box.x0; x < box.x1; ++x) {
-      if (!(value[x] > 0)) continue;
-      const float wanted = value[x] + carried;
-      const float whole = std::max(rounded(wanted, rounder), 0.0f);
-      carried = wanted - whole;
-      value[x] = whole;
+};
+
+// Rounds `n` cells of as many planes as there are rows. What is carried goes from cell to cell, so
+// the cells of one plane wait for one another; those of several planes do not.
+template <std::size_t kPlanes>
+void round_rows(const std::array<RoundedPlane*, kPlanes>& planes, int x0, int y, int n) {
+  std::array<float*, kPlanes> value;
+  std::array<float, kPlanes> rounder, carried;
+  for (std::size_t k = 0; k < kPlanes; ++k) {
+    value[k] = planes[k]->plane->row(y) + x0;
+    rounder[k] = planes[k]->rounder;
+    carried[k] = planes[k]->carried;
+  }
+  for (int i = 0; i < n; ++i) {
+    for (std::size_t k = 0; k < kPlanes; ++k) {
+      const float before = value[k][i];
+      const float wanted = before + carried[k];
+      const float whole = std::max(rounded(wanted, rounder[k]), 0.0f);
+      const bool wet = before > 0;
+      carried[k] = wet ? wanted - whole : carried[k];
+      value[k][i] = wet ? whole : before;
     }
+  }
+  for (std::size_t k = 0; k < kPlanes; ++k) planes[k]->carried = carried[k];
+}
+
+// Rounds the box in all planes. A row that is zero is only read: it may have no memory yet.
+void round_planes(const CellBox& box, std::span<RoundedPlane> planes) {
+  const int n = box.x1 - box.x0;
+  std::array<RoundedPlane*, kTogether> some{};
+  for (int y = box.y0; y < box.y1; ++y) {
+    std::size_t found = 0;
+    for (RoundedPlane& p : planes) {
+      if (!any_not_zero(p.plane->row(y) + box.x0, n)) continue;
+      some[found++] = &p;
+      if (found < kTogether) continue;
+      round_rows<kTogether>(some, box.x0, y, n);
+      found = 0;
+    }
+    for (std::size_t k = 0; k < found; ++k) round_rows<1>({some[k]}, box.x0, y, n);
   }
 }
 
@@ -42,15 +82,13 @@ void round_to_quanta(CanvasState& state, const StepInput& in) {
                           ? CellBox{0, state.geometry.width, 0, state.geometry.height}
                           : rounded_box(in.contact);
   if (box.empty()) return;
-  const int planes = 1 + state.layers * state.channels;
-  in.threads.for_ranges(0, planes, 1, [&](int begin, int end) {
-    for (int k = begin; k < end; ++k) {
-      if (k == 0)
-        round_plane(box, quantum_for(in.model.max_medium_m), state.depth_m);
-      else
-        round_plane(box, quantum_for(in.model.max_pigment),
-                    state.pigment[static_cast<std::size_t>(k - 1)]);
-    }
+  std::vector<RoundedPlane> planes{
+      {&state.depth_m, rounder_for(quantum_for(in.model.max_medium_m))}};
+  for (Field<float>& plane : state.pigment)
+    planes.push_back({&plane, rounder_for(quantum_for(in.model.max_pigment))});
+  in.threads.for_ranges(0, static_cast<int>(planes.size()), kTogether, [&](int begin, int end) {
+    round_planes(box, std::span(planes).subspan(static_cast<std::size_t>(begin),
+                                                static_cast<std::size_t>(end - begin)));
   });
 }
 

@@ -51,7 +51,7 @@ class SleepTiles {
   const std::vector<int>& awake_tiles() const { return list_; }
 
   /// Puts all tiles of a fresh canvas (StepInput::fresh) to sleep, as a step that computed them all
-  /// would do with those that have no wet paint. wake() then wakes what the brush touched.
+  /// would do where no paint is wet.
   void rest_fresh(CanvasState& state, const StepInput& in) const;
   /// Decides which tiles are awake in this step. Returns the tiles that were awake before and are
   /// not now.
