@@ -10,8 +10,11 @@ namespace pentimento::image {
 
 Result<Image> decode_png(const std::string& path, const ImageReadOptions& options);
 Result<Image> decode_exr(const std::string& path, const ImageReadOptions& options);
-/// Radiance HDR, JPEG and TIFF, through the module.
-Result<Image> decode_other(const std::string& path, const ImageReadOptions& options);
+/// Radiance HDR.
+Result<Image> decode_hdr(const std::string& path, const ImageReadOptions& options);
+Result<Image> decode_jpeg(const std::string& path, const ImageReadOptions& options);
+/// TIFF, through the module.
+Result<Image> decode_tiff(const std::string& path, const ImageReadOptions& options);
 
 /// Errors: kLimit for a picture beyond the limits, kBadInput for a size that is not positive.
 Result<void> check_size(const std::string& path, std::int64_t width, std::int64_t height,

@@ -1,7 +1,7 @@
 #pragma once
 // What passes between the programme and the module that reads pictures through OpenCV: plain C, so
 // that the module can be built and loaded on its own. The module takes 60 ms to load; only who
-// reads a JPEG, a TIFF or a Radiance picture pays that.
+// reads a TIFF or draws text pays that.
 
 #ifdef __cplusplus
 extern "C" {

@@ -89,9 +89,9 @@ Result<Image> read_image(const std::string& path, const ImageReadOptions& option
                  path + ": not a PNG, OpenEXR, Radiance, JPEG or TIFF picture"};
   if (format == "png") return image::decode_png(path, options);
   if (format == "exr") return image::decode_exr(path, options);
-  Result<Image> other = image::decode_other(path, options);
-  if (other) other->format = format;
-  return other;
+  if (format == "hdr") return image::decode_hdr(path, options);
+  if (format == "jpeg") return image::decode_jpeg(path, options);
+  return image::decode_tiff(path, options);
 }
 
 void to_rec709(Image& image) {

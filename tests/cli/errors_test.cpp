@@ -184,5 +184,20 @@ TEST(CommandErrors, ALogStaysInItsFolder) {
   expect_failure(place, "render out.jsonl -o a.png", 3, 2);
 }
 
+// The libraries that read pictures have words of their own, which nobody is to see.
+TEST(CommandErrors, ABrokenPictureOfEachKindIsOneLine) {
+  Workplace place;
+  place.write("load.jsonl", kSmallLog + R"({"t":2,"type":"load","file":"x"})" + "\n");
+  const std::string corpus = std::string(PENTIMENTO_SOURCE_DIR) + "/tests/fuzz/corpus/picture/";
+  for (const char* name : {"small.jpg", "flat.hdr", "small.tiff", "rgba.png", "aov-half.exr"}) {
+    const std::string whole = slurp(corpus + name);
+    ASSERT_FALSE(whole.empty()) << name;
+    for (const std::size_t cut : {whole.size() / 2, whole.size() - 1}) {
+      place.write("x", whole.substr(0, cut));
+      expect_failure(place, "render load.jsonl -o a.png", 3, 3);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace pentimento::test

@@ -1,12 +1,50 @@
 // The module's only file: a picture through OpenCV, row by row as floats.
 
 #include <exception>
+#include <iostream>
+#include <mutex>
 #include <opencv2/core.hpp>
+#include <opencv2/core/utils/logger.hpp>
 #include <opencv2/imgcodecs.hpp>
+#include <streambuf>
 
 #include "formats/image/picture_module.h"
 
 namespace {
+
+/// While it lives, OpenCV is not heard. It tells std::cerr and its own log what is wrong with a
+/// picture; the caller says that in one line of its own. The program itself does not use std::cerr.
+class Silence {
+ public:
+  Silence()
+      : alone_(only_one()),
+        level_(cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT)),
+        heard_(std::cerr.rdbuf(&nowhere_)) {}
+  ~Silence() {
+    std::cerr.rdbuf(heard_);
+    cv::utils::logging::setLogLevel(level_);
+  }
+  Silence(const Silence&) = delete;
+  Silence& operator=(const Silence&) = delete;
+
+ private:
+  struct Nowhere : std::streambuf {
+    int_type overflow(int_type c) override { return traits_type::not_eof(c); }
+  };
+  static std::mutex& only_one() {
+    static std::mutex mutex;
+    return mutex;
+  }
+  const std::scoped_lock<std::mutex> alone_;
+  const cv::utils::logging::LogLevel level_;
+  Nowhere nowhere_;
+  std::streambuf* const heard_;
+};
+
+cv::Mat read_quietly(const char* path) {
+  const Silence silence;
+  return cv::imread(path, cv::IMREAD_UNCHANGED);
+}
 
 /// Scale from stored codes to 0..1; 0 = a depth that is not read.
 double scale_of(int depth) {
@@ -31,7 +69,7 @@ void to_floats(const cv::Mat& row, double scale, cv::Mat& out) {
 }
 
 int read(const char* path, const PentimentoPicture& to) {
-  const cv::Mat picture = cv::imread(path, cv::IMREAD_UNCHANGED);
+  const cv::Mat picture = read_quietly(path);
   if (picture.empty()) {
     to.fail(to.owner, "not a picture that can be read, or a broken one");
     return 1;

@@ -6,6 +6,7 @@
 #include "formats/image/decode.h"
 #include "formats/image/module_function.h"
 #include "formats/image/picture_module.h"
+#include "formats/image/tiff_header.h"
 
 namespace pentimento::image {
 
@@ -87,7 +88,8 @@ void order_planes(Image& image) {
 
 }  // namespace
 
-Result<Image> decode_other(const std::string& path, const ImageReadOptions& options) {
+Result<Image> decode_tiff(const std::string& path, const ImageReadOptions& options) {
+  if (const Result<void> fits = check_tiff_header(path, options.limits); !fits) return fits.error();
   static const auto read =
       module_function<decltype(pentimento_read_picture)>(kPictureModule, "pentimento_read_picture");
   if (!read) return read.error();
@@ -95,6 +97,7 @@ Result<Image> decode_other(const std::string& path, const ImageReadOptions& opti
   const PentimentoPicture to = {&reading, take_size, take_row, take_failure};
   if (read->call(path.c_str(), &to) != 0) return reading.error;
   order_planes(reading.image);
+  reading.image.format = "tiff";
   return std::move(reading.image);
 }
 
