@@ -1,15 +1,18 @@
 #include "core/brush/held_brush.h"
 
+#include <utility>
+
 #include "core/base/check.h"
 #include "core/brush/builtin_brushes.h"
 
 namespace pentimento {
 
-HeldBrush::HeldBrush(const ChannelBasis& basis, const Model& model)
+HeldBrush::HeldBrush(const ChannelBasis& basis, const Model& model, std::shared_ptr<TipRack> tips)
     : basis_(basis),
       model_(model),
       amount_(basis.amount.begin(), basis.amount.end()),
       brush_(*builtin_brush("round")),
+      tips_(tips != nullptr ? std::move(tips) : std::make_shared<TipRack>()),
       load_(wanted_load()) {}
 
 void HeldBrush::become(const HeldBrush& other) {

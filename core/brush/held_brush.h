@@ -22,8 +22,9 @@ struct DippedColor {
 class HeldBrush {
  public:
   /// Begins as the round brush with the first pigment of the palette that `basis` was made from.
-  /// `basis` and `model` must outlive the object. The model may change; then call reload().
-  HeldBrush(const ChannelBasis& basis, const Model& model);
+  /// `basis` and `model` must outlive the object. The model may change; then call reload(). Tips
+  /// are drawn into `tips`, which others may share; nullptr: into a rack of its own.
+  HeldBrush(const ChannelBasis& basis, const Model& model, std::shared_ptr<TipRack> tips = nullptr);
 
   /// Becomes what `other` is, but of its own basis and model, which must be equal to those of
   /// `other`. From then on both share the tips that either of them draws.
@@ -59,7 +60,7 @@ class HeldBrush {
   const Model& model_;
   std::vector<float> amount_;  // per channel, as in PaintLoad
   BrushDefinition brush_;
-  std::shared_ptr<TipRack> tips_ = std::make_shared<TipRack>();
+  std::shared_ptr<TipRack> tips_;
   std::shared_ptr<const Tip> tip_;  // nullptr: not asked for yet
   BrushSettings settings_;
   std::vector<DippedColor> colors_ = {{0, kAllRows}};

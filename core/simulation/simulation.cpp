@@ -47,7 +47,7 @@ struct Simulation::Impl {
         model(setup.model),
         amount(setup.basis.amount.begin(), setup.basis.amount.end()),
         account(empty_account(setup.basis.channels())),
-        held(setup.basis, model) {
+        held(setup.basis, model, setup.tips) {
     fresh_canvas();
   }
 
@@ -200,9 +200,13 @@ void Simulation::load(const std::vector<Field<float>>& reflectance) {
 
 std::unique_ptr<Simulation> Simulation::fork(const Threads& threads) const {
   const Impl& from = *impl_;
-  SimulationSetup setup{from.setup.geometry,        from.model,
-                        from.setup.basis,           from.setup.dt_s,
-                        from.setup.paper_m.clone(), from.setup.paper_reflectance};
+  SimulationSetup setup{from.setup.geometry,
+                        from.model,
+                        from.setup.basis,
+                        from.setup.dt_s,
+                        from.setup.paper_m.clone(),
+                        from.setup.paper_reflectance,
+                        from.setup.tips};
   auto twin = std::make_unique<Simulation>(std::move(setup), threads);
   Impl& to = *twin->impl_;
   to.account = from.account;

@@ -12,6 +12,7 @@
 
 #include "core/base/threads.h"
 #include "core/base/vec.h"
+#include "core/brush/tip_rack.h"
 #include "core/canvas/canvas_state.h"
 #include "core/canvas/paint_account.h"
 #include "core/fluid/scheme.h"
@@ -30,6 +31,9 @@ struct SimulationSetup {
   float dt_s = 1.0f / 45;
   Field<float> paper_m;  // relief of the paper on the grid, >= 0
   std::vector<float> paper_reflectance = {0.9f, 0.9f, 0.9f};  // per band of the basis
+  /// Where the tips of brushes are kept once they are drawn. Simulations that share a rack draw
+  /// each tip once; nullptr: the simulation has a rack of its own, which its forks share.
+  std::shared_ptr<TipRack> tips = nullptr;
 };
 
 class Simulation : public Painter {

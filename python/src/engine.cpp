@@ -55,10 +55,17 @@ py::array view_of(const Field<T>& plane, const py::object& owner) {
   return array;
 }
 
+/// All canvases of the process draw the tip of a brush once.
+const std::shared_ptr<TipRack>& shared_tips() {
+  static const auto tips = std::make_shared<TipRack>();
+  return tips;
+}
+
 class EaselHandle {
  public:
   EaselHandle(const std::string& header_json, int threads) {
-    Result<std::unique_ptr<Easel>> opened = Easel::open(header_of(header_json), threads);
+    Result<std::unique_ptr<Easel>> opened =
+        Easel::open(header_of(header_json), threads, shared_tips());
     if (!opened) fail(opened.error());
     easel_ = std::move(*opened);
   }

@@ -188,7 +188,8 @@ std::vector<Stamp> Easel::Impl::stamps_along(const std::vector<TouchSample>& sam
 Easel::Easel(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 Easel::~Easel() = default;
 
-Result<std::unique_ptr<Easel>> Easel::open(const log::Header& header, int threads) {
+Result<std::unique_ptr<Easel>> Easel::open(const log::Header& header, int threads,
+                                           std::shared_ptr<TipRack> tips) {
   const PlainArithmetic plain;
   LogFiles files("-", false);
   Result<BrushTable> brushes = BrushTable::make(header, files);
@@ -197,6 +198,7 @@ Result<std::unique_ptr<Easel>> Easel::open(const log::Header& header, int thread
   if (!palette) return palette.error();
   Result<SimulationSetup> setup = setup_of(header, *palette, files);
   if (!setup) return setup.error();
+  setup->tips = std::move(tips);
   return std::unique_ptr<Easel>(new Easel(std::make_unique<Impl>(
       header, threads, std::move(*brushes), std::move(*palette), std::move(*setup))));
 }

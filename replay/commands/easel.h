@@ -36,9 +36,11 @@ class Easel {
   /// Puts up the canvas of a log's header: size, grid, paper, palette, brushes, model, picture. The
   /// header is not checked, and must be one that a reader of logs accepts. Files that it names are
   /// looked for in the working folder. `threads` 0: as many as the machine has. The hand begins
-  /// with the brush `round` and the palette's first pigment. Errors: kBadInput (a pigment that the
-  /// library does not have), those of the files.
-  static Result<std::unique_ptr<Easel>> open(const log::Header& header, int threads = 0);
+  /// with the brush `round` and the palette's first pigment. Easels that share `tips` draw the tip
+  /// of each brush once; nullptr: only the easel and its forks share. Errors: kBadInput (a pigment
+  /// that the library does not have), those of the files.
+  static Result<std::unique_ptr<Easel>> open(const log::Header& header, int threads = 0,
+                                             std::shared_ptr<TipRack> tips = nullptr);
   ~Easel();
 
   // The hand. After a name that does not exist nothing more is painted, and write_png() returns the

@@ -9,7 +9,7 @@ SurveyPainter::SurveyPainter(const LogSession& session, const DetailCost& cost)
     : basis_(session.basis),
       grid_(session.grid),
       model_(session.model),
-      held_(basis_, model_),
+      held_(basis_, model_, session.tips),
       map_(session, cost) {}
 
 void SurveyPainter::set_settings(const BrushSettings& settings) {

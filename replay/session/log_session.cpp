@@ -225,6 +225,7 @@ Result<std::unique_ptr<Simulation>> make_simulation(LogSession& session, const T
   SimulationSetup setup = simulation_setup(header, session.model);
   setup.geometry = session.grid;
   setup.basis = session.basis;
+  setup.tips = session.tips;
   if (session.start) {
     setup.paper_m = session.start->state.paper_m.clone();
   } else {

@@ -28,6 +28,8 @@ struct LogSession {
   Palette palette;      // of the dump, if any, and the log
   int first_color = 0;  // index of what the first brush is loaded with
   ChannelBasis basis;
+  // Of the estimate and of the replay: each tip is drawn once.
+  std::shared_ptr<TipRack> tips = std::make_shared<TipRack>();
   std::optional<StateDump> start;  // --from, its guide's channels in `basis`; without its `fine`
   std::optional<DetailStart> detail_start;  // the detail canvas that goes on
   CanvasGeometry canvas;                    // the log's grid

@@ -61,33 +61,15 @@ const BrushTable& brushes() {
   return table;
 }
 
-std::unique_ptr<Simulation> make_simulation(const Session& session, const Threads& threads) {
+/// A simulation before its first step. To draw the tip of a brush takes a hundred times as long as
+/// a replay, so all share their tips.
+std::unique_ptr<Simulation> fresh_simulation(const Session& session, const Threads& threads) {
+  static const auto tips = std::make_shared<TipRack>();
   SimulationSetup setup = simulation_setup(session.log.head, session.log.head.model);
   setup.basis = session.basis;
   setup.paper_m = relief(session.log.head).clone();
+  setup.tips = tips;
   return std::make_unique<Simulation>(std::move(setup), threads);
-}
-
-/// A simulation before its first step. To draw the tip of a brush takes a hundred times as long as
-/// the replay, so those of a palette and a model that come again are forks of one: forks share
-/// their tips.
-std::unique_ptr<Simulation> fresh_simulation(const Session& session, const Threads& threads) {
-  struct Made {
-    SchemeKind scheme;
-    int layers, bands;
-    std::unique_ptr<Simulation> simulation;
-  };
-  static const Threads one(1);
-  static std::vector<Made> all;
-  if (!session.usual) return make_simulation(session, threads);
-  const Model& model = session.log.head.model;
-  for (const Made& made : all)
-    if (made.scheme == model.scheme && made.layers == model.layers &&
-        made.bands == model.reflectance_bands())
-      return made.simulation->fork(threads);
-  std::unique_ptr<Simulation> made = make_simulation(session, one);
-  all.push_back({model.scheme, model.layers, model.reflectance_bands(), std::move(made)});
-  return all.back().simulation->fork(threads);
 }
 
 /// One replay of the session's log. Saves it once on the way if it is asked to.

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/brush/builtin_brushes.h"
 #include "formats/hdf5/state_dump.h"
 #include "formats/image/read_image.h"
 #include "formats/io/provenance.h"
@@ -259,6 +260,22 @@ TEST(Easel, ThePictureInMemoryIsThatOfTheFile) {
         ASSERT_EQ(picture->rgb[at], std::lround(255 * image->plane[c](x, y)));
       }
   std::filesystem::remove(file);
+}
+
+TEST(Easel, EaselsThatShareTipsDrawEachOnce) {
+  const auto tips = std::make_shared<TipRack>();
+  const auto paint = [&] {
+    auto easel = std::move(*Easel::open(small_canvas(), 1, tips));
+    easel->stroke({{0.1, 0.1, 0.8f}, {0.2, 0.1, 0.8f}});
+    return easel;
+  };
+  const auto first = paint(), second = paint();
+  EXPECT_EQ(hash_of(*first), hash_of(*second));
+  // The rack, the two brushes, and this pointer.
+  EXPECT_EQ(tips->find(*builtin_brush("round")).use_count(), 4);
+  const auto alone = easel_of(small_canvas());
+  alone->stroke({{0.1, 0.1, 0.8f}, {0.2, 0.1, 0.8f}});
+  EXPECT_EQ(hash_of(*alone), hash_of(*first));
 }
 
 }  // namespace
