@@ -4,6 +4,7 @@
 
 #include "core/base/thread_count.h"
 #include "replay/estimate/time_estimate.h"
+#include "replay/film/even_sides.h"
 #include "replay/job/report_object.h"
 #include "replay/output/output_plan.h"
 #include "replay/output/output_set.h"
@@ -20,6 +21,8 @@ Result<JobEstimate> dry_run(const RenderJob& job, const Control& control) {
   if (!session) return session.error();
   Result<OutputSize> written = written_size(job.picture, session->size);
   if (!written) return written.error();
+  if (Result<void> even = check_even_sides(job.picture, session->size, session->canvas); !even)
+    return even.error();
   Result<PaintSurvey> survey = survey_paint(*session, DetailCost(), control);
   if (!survey) return survey.error();
   if (Result<void> fits = check_memory(job, *session, *survey); !fits) return fits.error();

@@ -12,6 +12,7 @@
 #include "formats/video/video_writer.h"
 #include "replay/commands/exchange_pigments.h"
 #include "replay/commands/light_path.h"
+#include "replay/film/even_sides.h"
 #include "replay/job/stopwatch.h"
 #include "replay/output/effective.h"
 #include "replay/output/frame_name.h"
@@ -144,6 +145,8 @@ Result<JobReport> relight(const RelightJob& job, const Control& control) {
   const CanvasSource& canvas = dump->fine ? *dump->fine : guide;
   Result<OutputSize> size = relit_size(job.size, dump->state.geometry, canvas.geometry());
   if (!size) return size.error();
+  if (Result<void> even = check_even_sides(job.picture, *size, dump->state.geometry); !even)
+    return even.error();
 
   const Threads threads(job.threads);
   const std::vector<InputFile> inputs = {{job.state, "the state"},

@@ -12,6 +12,7 @@
 #include "replay/checkpoint/checkpointer.h"
 #include "replay/estimate/disk_check.h"
 #include "replay/estimate/memory_estimate.h"
+#include "replay/film/even_sides.h"
 #include "replay/film/film_plan.h"
 #include "replay/hashes/hash_recorder.h"
 #include "replay/job/build_info.h"
@@ -380,6 +381,8 @@ Result<JobReport> render(const RenderJob& job, const Control& control) {
     return Error{ErrorCode::kUsage,
                  "--checkpoint does not go with --hashes: a file of hashes begins with its log"};
   }
+  if (Result<void> even = check_even_sides(job.picture, session->size, session->canvas); !even)
+    return even.error();
   // Refuses what would not fit in memory before anything is computed.
   Result<PaintSurvey> survey = PaintSurvey{};
   if (session->detail > 1)
