@@ -26,7 +26,8 @@ int run_info(const Arguments& arguments) {
   log::ReaderOptions reading;
   CLI::App app(kAbout, "pentimento info");
   app.add_option("file", file,
-                 "log, recording, state dump (.h5), .png or .exr; `-` is a log on standard input")
+                 "log, recording, state dump (.h5), .png or .exr; `-` is a log or a recording on\n"
+                 "standard input")
       ->required()
       ->type_name("");
   app.add_flag("--json", json, "one JSON object");

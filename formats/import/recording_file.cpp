@@ -25,11 +25,15 @@ Result<std::string> read_recording(const std::string& path) {
     return read_file(path, kMostRecordingBytes);
   const Result<std::unique_ptr<log::ByteSource>> source = log::ByteSource::open(path);
   if (!source) return source.error();
+  return read_recording(path, **source);
+}
+
+Result<std::string> read_recording(const std::string& path, log::ByteSource& source) {
   std::string bytes;
   while (true) {
     const std::size_t before = bytes.size();
     bytes.resize(before + kPiece);
-    const Result<std::size_t> count = (*source)->read(std::span(bytes).subspan(before));
+    const Result<std::size_t> count = source.read(std::span(bytes).subspan(before));
     if (!count) return damaged(path, count.error());
     bytes.resize(before + *count);
     if (static_cast<std::int64_t>(bytes.size()) > kMostRecordingBytes)
@@ -37,7 +41,7 @@ Result<std::string> read_recording(const std::string& path) {
                    fmt::format("{}: larger than {} bytes", path, kMostRecordingBytes)};
     if (*count == 0) break;
   }
-  if ((*source)->cut_short())
+  if (source.cut_short())
     return Error{ErrorCode::kBadInput, path + ": the packed bytes end too early"};
   return bytes;
 }

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/base/result.h"
+#include "formats/log/stream/byte_source.h"
 
 namespace pentimento::sketch {
 
@@ -17,5 +18,7 @@ constexpr std::int64_t kMostRecordingBytes = std::int64_t{64} << 20;
 /// read as they are.
 /// Errors: kIo, kLimit, kBadInput (packed bytes are damaged).
 Result<std::string> read_recording(const std::string& path);
+/// The same of a source that was opened before, from where it stands. Messages name `path`.
+Result<std::string> read_recording(const std::string& path, log::ByteSource& source);
 
 }  // namespace pentimento::sketch

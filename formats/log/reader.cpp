@@ -190,8 +190,14 @@ Result<std::unique_ptr<Reader>> Reader::open(const std::string& path,
                                              const ReaderOptions& options) {
   Result<std::unique_ptr<ByteSource>> source = ByteSource::open(path, options);
   if (!source) return source.error();
+  return open(path, std::move(*source), options);
+}
+
+Result<std::unique_ptr<Reader>> Reader::open(const std::string& path,
+                                             std::unique_ptr<ByteSource> source,
+                                             const ReaderOptions& options) {
   auto reader = std::make_unique<LogReader>(path == "-" ? "standard input" : path,
-                                            std::move(*source), options);
+                                            std::move(source), options);
   const Result<void> header = reader->read_header();
   if (!header) return header.error();
   return std::unique_ptr<Reader>(std::move(reader));

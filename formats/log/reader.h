@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "formats/log/stream/byte_source.h"
 #include "formats/log/tables/events.h"
 #include "formats/log/tables/reader_options.h"
 
@@ -20,6 +21,10 @@ namespace pentimento::log {
 class Reader {
  public:
   static Result<std::unique_ptr<Reader>> open(const std::string& path,
+                                              const ReaderOptions& options);
+  /// The same of a source that was opened before and is at its start; `path` names it in messages.
+  static Result<std::unique_ptr<Reader>> open(const std::string& path,
+                                              std::unique_ptr<ByteSource> source,
                                               const ReaderOptions& options);
   virtual ~Reader() = default;
   virtual const Header& header() const = 0;

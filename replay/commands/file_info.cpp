@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <string_view>
@@ -23,15 +24,33 @@ namespace pentimento {
 
 namespace {
 /// Whether the first bytes are those of a PNG, an EXR or an HDF5 file.
-bool starts_like_an_output(const std::string& path) {
+bool are_of_an_output(std::string_view bytes) {
   constexpr std::array<std::string_view, 3> kMagic = {"\x89PNG", "\x76\x2f\x31\x01", "\x89HDF"};
+  return std::any_of(kMagic.begin(), kMagic.end(),
+                     [&](std::string_view magic) { return bytes.starts_with(magic); });
+}
+
+bool starts_like_an_output(const std::string& path) {
   std::array<char, 4> first{};
   std::ifstream file(path, std::ios::binary);
   file.read(first.data(), first.size());
-  for (const std::string_view magic : kMagic) {
-    if (std::string_view(first.data(), first.size()) == magic) return true;
-  }
-  return false;
+  return are_of_an_output({first.data(), first.size()});
+}
+
+/// Whether the bytes may be a log that somebody spoilt: there are none, or they begin as JSON does,
+/// perhaps after a mark of their encoding. The reader of logs says what is wrong with it then.
+bool may_be_a_log(std::string_view bytes) {
+  constexpr std::array<std::string_view, 3> kEncodingMarks = {"\xef\xbb\xbf", "\xff\xfe",
+                                                              "\xfe\xff"};
+  if (std::any_of(kEncodingMarks.begin(), kEncodingMarks.end(),
+                  [&](std::string_view mark) { return bytes.starts_with(mark); }))
+    return true;
+  const std::size_t first = bytes.find_first_not_of(" \t\r\n");
+  return first == std::string_view::npos || bytes[first] == '{';
+}
+
+std::string shown_name(const std::string& path) {
+  return path == "-" ? "standard input" : path;
 }
 
 /// Takes the log of a recording, and keeps only its sums and its preview.
@@ -63,12 +82,21 @@ class FactsWriter : public log::Writer {
   std::optional<log::StrokePreview> preview_;
 };
 
-/// Whether a file is one of another program, which it is if no log begins like it.
-Result<bool> describe_recording(const std::string& path, int preview_columns, FileInfo& info) {
-  const Result<std::string> bytes = sketch::read_recording(path);
+/// Whether a file is one of another program. If not, it may still be a log. Errors: kBadInput for
+/// what can be neither, those of the source and of the format.
+Result<bool> describe_recording(const std::string& path, log::ByteSource& source,
+                                int preview_columns, FileInfo& info) {
+  const Result<std::string> bytes = sketch::read_recording(path, source);
   if (!bytes) return bytes.error();
   const sketch::Format* format = sketch::format_of(*bytes);
-  if (format == nullptr) return false;
+  if (format == nullptr) {
+    if (may_be_a_log(*bytes)) return false;
+    return Error{ErrorCode::kBadInput,
+                 path + (are_of_an_output(*bytes)
+                             ? ": a picture or a state dump, which can be read from a file only"
+                             : ": neither a log nor a recording, PNG, EXR or state dump that can "
+                               "be read")};
+  }
   const Result<sketch::Sketch> drawing = format->read({path, *bytes}, {});
   if (!drawing) return drawing.error();
   FactsWriter writer(preview_columns);
@@ -313,21 +341,32 @@ Result<FileInfo> file_info(const std::string& path, const log::ReaderOptions& re
                            int preview_columns) {
   FileInfo info;
   info.file = path;
-  if (path != "-" && starts_like_an_output(path)) {
+  std::error_code problem;
+  const bool is_file = path != "-" && std::filesystem::is_regular_file(path, problem);
+  if (is_file && starts_like_an_output(path)) {
     Result<FileDescription> output = describe_file(path);
     if (!output) return output.error();
     info.output = std::move(*output);
     return info;
   }
-  if (path != "-" && !log::starts_like_a_log(path)) {
-    const Result<bool> known = describe_recording(path, preview_columns, info);
+  Result<std::unique_ptr<log::ByteSource>> source = log::ByteSource::open(path, reading);
+  if (!source) return source.error();
+  const Result<bool> is_log = log::starts_like_a_log(**source);
+  if (!is_log) return is_log.error();
+  if (!*is_log) {
+    const Result<bool> known =
+        describe_recording(shown_name(path), **source, preview_columns, info);
     if (!known) return known.error();
     if (*known) return info;
+    if (const Result<void> back = (*source)->rewind(); !back) return back.error();
   }
-  Result<LogFacts> log = validate_log(path, reading);
+  const Result<std::unique_ptr<log::Reader>> reader =
+      log::Reader::open(path, std::move(*source), reading);
+  if (!reader) return reader.error();
+  Result<LogFacts> log = validate_log(path, **reader, reading);
   if (!log) return log.error();
   info.log = std::move(*log);
-  if (path == "-" || preview_columns == 0) return info;
+  if (!is_file || preview_columns == 0) return info;
   Result<log::StrokePreview> preview = preview_log(path, reading, preview_columns);
   if (!preview) return preview.error();
   info.preview = std::move(*preview);

@@ -28,8 +28,9 @@ struct FileInfo {
   std::optional<FileDescription> output;      // a picture or a state dump
 };
 
-/// Describes a file, with a preview of that many characters a row unless it is 0 or the log comes
-/// from standard input. Errors: those of its kind of file.
+/// Describes a file; `-` is a log or a recording on standard input. With a preview of that many
+/// characters a row, unless it is 0 or a log comes from a pipe. Errors: those of its kind of file;
+/// kBadInput for a file of no kind that is known.
 Result<FileInfo> file_info(const std::string& path, const log::ReaderOptions& reading,
                            int preview_columns = 0);
 

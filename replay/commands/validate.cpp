@@ -30,17 +30,22 @@ std::string swatch_of(const log::Header& header, const std::string& name) {
 Result<LogFacts> validate_log(const std::string& path, const log::ReaderOptions& reading) {
   Result<std::unique_ptr<log::Reader>> reader = log::Reader::open(path, reading);
   if (!reader) return reader.error();
+  return validate_log(path, **reader, reading);
+}
+
+Result<LogFacts> validate_log(const std::string& path, log::Reader& reader,
+                              const log::ReaderOptions& reading) {
   LogFacts facts;
-  facts.header = (*reader)->header();
+  facts.header = reader.header();
   LogFiles files(path, reading.allow_outside);
   const Result<BrushTable> brushes = open_header_files(facts.header, files);
   if (!brushes) return brushes.error();
-  Result<log::Summary> summary = log::summarize(**reader);
+  Result<log::Summary> summary = log::summarize(reader);
   if (!summary) return summary.error();
   facts.summary = std::move(*summary);
-  if (Result<void> back = (*reader)->rewind(); !back) return back.error();
+  if (Result<void> back = reader.rewind(); !back) return back.error();
   StampBudget budget(facts.header, *brushes, reading.limits);
-  Result<LogPlan> plan = plan_log(**reader, files, {}, {}, {}, &budget);
+  Result<LogPlan> plan = plan_log(reader, files, {}, {}, {}, &budget);
   if (!plan) return plan.error();
   facts.undone = count_undone(plan->undo);
   facts.steps = plan->steps;

@@ -24,5 +24,8 @@ struct LogFacts {
 
 /// Checks a log. Errors: those of the log and of its files.
 Result<LogFacts> validate_log(const std::string& path, const log::ReaderOptions& reading);
+/// The same of a log that was opened before and stands before its first event.
+Result<LogFacts> validate_log(const std::string& path, log::Reader& reader,
+                              const log::ReaderOptions& reading);
 
 }  // namespace pentimento

@@ -97,8 +97,56 @@ TEST(FileInfo, OfARecordingIsWhatItsLogWouldHold) {
   EXPECT_TRUE(info->preview);
   folder.write("b.dat", "0 10 10 7\n");
   EXPECT_FALSE(file_info(folder.path("b.dat"), {}));
-  folder.write("c.txt", "what is this\n");
-  EXPECT_FALSE(file_info(folder.path("c.txt"), {}));
+}
+
+// What is no JSON is no log that somebody spoilt.
+TEST(FileInfo, OfAFileOfNoKindItSaysThat) {
+  const test::JobFolder folder;
+  for (const std::string& bytes : {std::string("what is this\n"),
+                                   std::string("\0\0\0\x20"
+                                               "ftypisom\0\0\2\0",
+                                               16),
+                                   std::string("\xFF\xD8\xFF\xE0")}) {
+    folder.write("film.mp4", bytes);
+    const auto info = file_info(folder.path("film.mp4"), {});
+    ASSERT_FALSE(info);
+    EXPECT_EQ(info.error().code, ErrorCode::kBadInput);
+    EXPECT_EQ(info.error().message,
+              folder.path("film.mp4") +
+                  ": neither a log nor a recording, PNG, EXR or state dump that can be read");
+  }
+  // A spoilt log is told where it is spoilt.
+  for (const auto& [bytes, said] :
+       {std::pair{std::string("{\"type\":\"header\",}\n"), ":1:"},
+        {std::string(), ":1: the log is empty"},
+        {"\xef\xbb\xbf" + test::kSmallLog, ":1: the log starts with a byte order mark"}}) {
+    folder.write("b.jsonl", bytes);
+    const auto info = file_info(folder.path("b.jsonl"), {});
+    ASSERT_FALSE(info);
+    EXPECT_TRUE(info.error().message.starts_with(folder.path("b.jsonl") + said))
+        << info.error().message;
+  }
+}
+
+TEST(FileInfo, OfAPipeIsWhatItIsOfTheFile) {
+  const test::JobFolder folder;
+  folder.write("a.dat", "0 10 10 0.5\n1 20 30 0.6\n2 20 30 0\n");
+  const std::string command = PENTIMENTO_COMMAND;
+  for (const char* name : {"a.dat", "a.jsonl"}) {
+    const std::string path = folder.path(name);
+    const auto plain = test::run(command + " info " + path);
+    ASSERT_EQ(plain.first, 0) << plain.second;
+    for (const std::string& given :
+         {"cat " + path + " | " + command + " info -", command + " info - < " + path,
+          "gzip -c " + path + " | " + command + " info -",
+          "bash -c '" + command + " info <(cat " + path + ")'"})
+      EXPECT_EQ(test::run(given), plain) << given;
+  }
+  const auto picture = test::run("printf '\\211PNG....' | " + command + " info -");
+  EXPECT_EQ(picture.first, 3);
+  EXPECT_EQ(picture.second,
+            "pentimento: standard input: a picture or a state dump, which can be read from a file "
+            "only\n");
 }
 
 TEST(FileInfo, OfAnOutputIsWhatItSaysWhateverItIsCalled) {
