@@ -58,7 +58,7 @@ TEST(FuzzCorpus, TheGrammarOfReplaysMakesValidLogsOnly) {
     std::string bytes(random() % 400, '\0');
     for (char& byte : bytes) byte = static_cast<char>(random());
     Choices choices(bytes);
-    const ListReader log = grammar_log(choices).log;
+    const ListReader log = grammar_log(choices);
     const log::Outcome read = written_and_read(log);
     ASSERT_TRUE(read.ok) << read.message;
     EXPECT_EQ(read.events.size(), log.events.size());

@@ -32,15 +32,11 @@ struct Saved {
 
 /// All that the replays of one log share.
 struct Session {
-  explicit Session(GrammarLog read)
-      : log(std::move(read.log)),
-        usual(read.usual),
-        maker(log.head.model),
-        plan(plan_log(log, files, {}, maker).value()) {
+  explicit Session(ListReader read)
+      : log(std::move(read)), maker(log.head.model), plan(plan_log(log, files, {}, maker).value()) {
     basis = make_channels(plan.palette.pigments(), maker.wavelength_nm());
   }
   ListReader log;
-  bool usual;
   LogFiles files{"-", false};
   PaintMaker maker;
   LogPlan plan;

@@ -13,6 +13,12 @@ constexpr std::array<double, 8> kWaits_s = {0, 0.001, 0.011, 1.0 / 45, 0.023, 0.
 constexpr std::array<const char*, 8> kBrushes = {"round", "flat",   "filbert", "bristle",
                                                  "fan",   "rigger", "knife",   "rag"};
 
+/// Of stamps, in diameters, until the log says another: half of the usual 30 mm is about a cell.
+/// The usual spacing would make twenty times as many stamps.
+constexpr double kFirstSpacing = 0.5;
+/// From one sample to the next, along x and along y: five cells, a few stamps.
+constexpr double kFarthest_m = 0.06;
+
 /// What may a slider be, in a replay that takes a millisecond: brushes of the size of cells (13 mm)
 /// and not more than a few stamps a cell.
 struct SliderChoice {
@@ -21,12 +27,12 @@ struct SliderChoice {
 };
 constexpr std::array<SliderChoice, 9> kSliders = {{{"medium", 0, 1},
                                                    {"pigment", 0, 1},
-                                                   {"size", 0.002, 0.08},
+                                                   {"size", 0.005, 0.08},
                                                    {"pickup", 0, 1},
                                                    {"refill", 0, 1},
                                                    {"stiffness", 0, 1},
                                                    {"layer_mixing", 0, 1},
-                                                   {"spacing", 0.2, 2},
+                                                   {"spacing", 0.25, 2},
                                                    {"load", 0, 1}}};
 
 struct UsualPigment {
@@ -42,10 +48,10 @@ class Grammar {
  public:
   explicit Grammar(Choices& choices) : choices_(choices) {}
 
-  GrammarLog log() {
+  ListReader log() {
     header();
     for (int i = 0; i < kMostEvents && !choices_.made() && time_s_ < kMostSeconds; ++i) event();
-    return {std::move(log_), !picks_};
+    return std::move(log_);
   }
 
  private:
@@ -63,8 +69,9 @@ class Grammar {
   ListReader log_;
   double time_s_ = 0;
   std::array<bool, 2> down_{};
+  std::array<std::array<double, 2>, 2> place_m_{};  // of each touch
   bool stepped_ = false;
-  bool picks_ = false;  // colours that no other log has
+  bool picks_ = false;  // its own colours
 };
 
 void Grammar::header() {
@@ -81,7 +88,7 @@ void Grammar::header() {
     head.model.optics = OpticsKind::kSpectral;
     head.model.bands = 8;
   }
-  picks_ = choices_.byte() == 0xFF;
+  picks_ = choices_.byte() % 8 == 7;
   for (const UsualPigment& usual : kPigments) {
     log::PigmentSpec pigment;
     pigment.name = usual.name;
@@ -89,6 +96,7 @@ void Grammar::header() {
     pigment.opacity = usual.opacity;
     head.palette.push_back(pigment);
   }
+  add(log::Slider{"spacing", kFirstSpacing});
 }
 
 void Grammar::event() {
@@ -112,9 +120,14 @@ void Grammar::touch() {
     touch.phase = how % 8 == 6 ? log::TouchPhase::kUp : log::TouchPhase::kCancel;
   }
   down_[id] = touch.phase == log::TouchPhase::kDown || touch.phase == log::TouchPhase::kMove;
-  // A little beyond the edges too.
-  touch.x_m = choices_.between(-0.02, 0.42);
-  touch.y_m = choices_.between(-0.02, 0.32);
+  if (touch.phase == log::TouchPhase::kDown) {
+    // A little beyond the edges too.
+    place_m_[id] = {choices_.between(-0.02, 0.42), choices_.between(-0.02, 0.32)};
+  } else {
+    for (double& along_m : place_m_[id]) along_m += choices_.between(-kFarthest_m, kFarthest_m);
+  }
+  touch.x_m = place_m_[id][0];
+  touch.y_m = place_m_[id][1];
   if ((how >> 3) % 2 != 0) touch.pressure = choices_.between(0, 1);
   if ((how >> 4) % 2 != 0) {
     touch.tilt_x_deg = choices_.between(-90, 90);
@@ -164,7 +177,7 @@ void Grammar::change() {
 
 }  // namespace
 
-GrammarLog grammar_log(Choices& choices) {
+ListReader grammar_log(Choices& choices) {
   return Grammar(choices).log();
 }
 
