@@ -14,18 +14,18 @@ namespace {
 
 /// While it lives, OpenCV is not heard. It tells std::cerr and its own log what is wrong with a
 /// picture; the caller says that in one line of its own. The program itself does not use std::cerr.
-class Silence {
+class MutedOpenCv {
  public:
-  Silence()
+  MutedOpenCv()
       : alone_(only_one()),
         level_(cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT)),
         heard_(std::cerr.rdbuf(&nowhere_)) {}
-  ~Silence() {
+  ~MutedOpenCv() {
     std::cerr.rdbuf(heard_);
     cv::utils::logging::setLogLevel(level_);
   }
-  Silence(const Silence&) = delete;
-  Silence& operator=(const Silence&) = delete;
+  MutedOpenCv(const MutedOpenCv&) = delete;
+  MutedOpenCv& operator=(const MutedOpenCv&) = delete;
 
  private:
   struct Nowhere : std::streambuf {
@@ -42,7 +42,7 @@ class Silence {
 };
 
 cv::Mat read_quietly(const char* path) {
-  const Silence silence;
+  const MutedOpenCv muted;
   return cv::imread(path, cv::IMREAD_UNCHANGED);
 }
 

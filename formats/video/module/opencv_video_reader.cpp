@@ -1,5 +1,8 @@
 // Videos in, through OpenCV, frame by frame: jumping to a time is not exact in every container.
 
+#include <dlfcn.h>
+
+#include <cstdarg>
 #include <exception>
 #include <memory>
 #include <opencv2/core.hpp>
@@ -19,10 +22,22 @@ struct VideoHandle {
   cv::VideoCapture capture;
   cv::Mat frame;  // B G R
 };
+
+/// From now on FFmpeg is not heard in this process. It prints what is wrong with a video, line
+/// after line; the caller says that in one. FFmpeg comes with OpenCV, which has no function for
+/// this, and its headers are not needed otherwise.
+void silence_ffmpeg() {
+  using Listener = void (*)(void*, int, const char*, std::va_list);
+  using SetListener = void (*)(Listener);
+  void* const found = dlsym(RTLD_DEFAULT, "av_log_set_callback");
+  if (found == nullptr) return;
+  reinterpret_cast<SetListener>(found)([](void*, int, const char*, std::va_list) {});
+}
 }  // namespace
 
 PENTIMENTO_EXPORT void* pentimento_open_video(const char* path, PentimentoVideo* video) {
   try {
+    silence_ffmpeg();
     auto opened = std::make_unique<VideoHandle>();
     // Only what reads files: asked for any reader, OpenCV would look among the cameras on the bus.
     if (opened->capture.open(path, cv::CAP_FFMPEG) ||

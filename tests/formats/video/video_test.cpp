@@ -104,6 +104,23 @@ TEST(VideoTest, ThatIsNotEndedLeavesNothingAndAnOldOneAsItWas) {
   EXPECT_EQ(scratch.files(), 1u);
 }
 
+// FFmpeg prints several lines about each of these.
+TEST(Video, NothingIsPrintedAboutABrokenOne) {
+  const Scratch scratch;
+  ASSERT_TRUE(make_film(scratch.path("whole.mkv"), 5).ok());
+  const std::string whole = slurp(scratch.path("whole.mkv")), path = scratch.path("a.mkv");
+  std::string damaged = whole;
+  damaged.replace(whole.size() / 2, 40, 40, '\0');
+  for (const std::string& bytes : {whole.substr(0, whole.size() / 2), damaged}) {
+    spill(path, bytes);
+    testing::internal::CaptureStderr();
+    auto video = VideoReader::open(path);
+    if (video) static_cast<void>((*video)->frame_at(9));
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+    EXPECT_TRUE(video || video.error().message.starts_with(path + ": "));
+  }
+}
+
 TEST(Video, IsToldFromOtherFilesAndABrokenOneIsAnError) {
   const Scratch scratch;
   spill(scratch.path("a.avi"), "no video at all, only its name");

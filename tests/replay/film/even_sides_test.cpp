@@ -5,7 +5,7 @@
 namespace pentimento {
 namespace {
 
-constexpr CanvasGeometry kCanvas = {80, 60, 0.4, 0.3};
+constexpr CanvasGeometry kCanvas = {80, 40, 0.4, 0.2};
 
 PictureChoice film() {
   PictureChoice picture;
@@ -21,14 +21,16 @@ TEST(EvenSides, OnlyFilmsNeedThem) {
 }
 
 TEST(EvenSides, TheLineSaysWhichWidthGivesThem) {
-  const Result<void> odd = check_even_sides(film(), {709, 532, 0}, kCanvas);
-  ASSERT_FALSE(odd);
-  EXPECT_EQ(odd.error().code, ErrorCode::kUsage);
-  // 708 would be 531 high, 710 is 532.5, rounded to 533; 707 and 711 are odd, 706 is 529.5: 530.
-  EXPECT_EQ(odd.error().message,
-            "-o film.mp4: a film's sides are even, this one has 709 x 532 pixels; --width 706 "
-            "gives 706 x 530");
-  const Result<OutputSize> given = output_size({706, {}, {}, {}, 0}, kCanvas);
+  // 709 is odd, 710 is 355 high; of 708 and 712 the smaller is proposed.
+  for (const int width : {709, 710}) {
+    const Result<void> odd = check_even_sides(film(), {width, 355, 0}, kCanvas);
+    ASSERT_FALSE(odd);
+    EXPECT_EQ(odd.error().code, ErrorCode::kUsage);
+    EXPECT_EQ(odd.error().message, "-o film.mp4: a film's sides are even, this one has " +
+                                       std::to_string(width) +
+                                       " x 355 pixels; --width 708 gives 708 x 354");
+  }
+  const Result<OutputSize> given = output_size({708, {}, {}, {}, 0}, kCanvas);
   ASSERT_TRUE(given);
   EXPECT_TRUE(check_even_sides(film(), *given, kCanvas));
 }
@@ -36,7 +38,7 @@ TEST(EvenSides, TheLineSaysWhichWidthGivesThem) {
 TEST(EvenSides, ATinyFilmMayGrow) {
   const Result<void> odd = check_even_sides(film(), {1, 1, 0}, kCanvas);
   ASSERT_FALSE(odd);
-  EXPECT_NE(odd.error().message.find("; --width 2 gives 2 x 2"), std::string::npos)
+  EXPECT_NE(odd.error().message.find("; --width 4 gives 4 x 2"), std::string::npos)
       << odd.error().message;
 }
 
