@@ -7,14 +7,22 @@
 #include <utility>
 #include <vector>
 
+#include "replay/checkpoint/disk_probe.h"
+
 namespace pentimento {
 
 namespace {
 // Saving may take so much of the time that the run has taken up to then.
 constexpr double kMostOfTime_frac = 0.03;
-// Until a slot has been measured: a slow disk. And what every slot costs, however small, in three
-// waits for the disk.
-constexpr double kFirstGuess_bytes_per_s = 1e8;
+// What is written to learn how fast the disk is, until a slot tells: enough for a disk of 1 GB/s to
+// be measured beside kLeastCost_s, and no more than a second on one of 16 MB/s.
+constexpr int kProbe_MiB = 16;
+constexpr double kProbe_bytes = kProbe_MiB * 1048576.0;
+// The disk that the probe itself is paid for as, and that stands where the probe fails: a slow one.
+constexpr double kSlowDisk_bytes_per_s = 1e8;
+// Many disks write the first bytes faster than the following.
+constexpr double kHoldsOfProbe_frac = 0.5;
+// What every slot costs, however small, in three waits for the disk.
 constexpr double kLeastCost_s = 0.03;
 // How long an interrupted job works on the step that it is in. The signal shall be obeyed within
 // two seconds, and the slot takes some of them.
@@ -38,11 +46,7 @@ std::int64_t guide_bytes(const CanvasState& state) {
 
 Checkpointer::Checkpointer(const CheckpointChoice& choice, const Control& control,
                            std::unique_ptr<SlotFolder> folder)
-    : choice_(choice),
-      control_(control),
-      folder_(std::move(folder)),
-      planes_(choice.folder),
-      bytes_per_s_(kFirstGuess_bytes_per_s) {
+    : choice_(choice), control_(control), folder_(std::move(folder)), planes_(choice.folder) {
   report_.folder = choice.folder;
 }
 
@@ -56,7 +60,7 @@ Result<std::unique_ptr<Checkpointer>> Checkpointer::open(const CheckpointChoice&
 Result<void> Checkpointer::begin(const ReplayParts& parts, Binding binding) {
   parts_.emplace(parts);
   binding_ = std::move(binding);
-  first_step_ = parts.simulation.state().step;
+  tried_step_ = parts.simulation.state().step;
   const std::vector<std::uint64_t> slots = folder_->slots();
   if (slots.empty()) return {};
   std::string first_problem;
@@ -126,6 +130,7 @@ Result<void> Checkpointer::go_on_from(std::uint64_t generation, Slot slot) {
   newest_ = generation;
   stops_done_ = slot.stops_done;
   saved_ = now();
+  tried_step_ = saved_->step;
   report_.resumed_step = slot.step;
   return {};
 }
@@ -143,23 +148,37 @@ void Checkpointer::stop_done() {
   parts_->outputs.stop_done();
 }
 
-bool Checkpointer::is_due() const {
+bool Checkpointer::is_due() {
   if (choice_.every_steps) {
     const std::int64_t n = *choice_.every_steps;
-    const std::int64_t last = saved_ ? saved_->step : first_step_;
-    return parts_->simulation.state().step / n != last / n;
+    return parts_->simulation.state().step / n != tried_step_ / n;
   }
-  return seconds_since(saved_at_) >= choice_.every_s && is_affordable();
+  return seconds_since(tried_at_) >= choice_.every_s && is_affordable();
 }
 
-bool Checkpointer::is_affordable() const {
-  return report_.wall_s + expected_cost_s() <= kMostOfTime_frac * seconds_since(begun_);
+bool Checkpointer::has_time_for(double cost_s) const {
+  return report_.wall_s + cost_s <= kMostOfTime_frac * seconds_since(begun_);
+}
+
+bool Checkpointer::is_affordable() {
+  constexpr double kProbeCost_s = kLeastCost_s + kProbe_bytes / kSlowDisk_bytes_per_s;
+  if (!bytes_per_s_ && !has_time_for(kProbeCost_s)) return false;
+  if (!bytes_per_s_) bytes_per_s_ = probed_bytes_per_s();
+  return has_time_for(expected_cost_s());
+}
+
+double Checkpointer::probed_bytes_per_s() {
+  const std::string file = folder_->slot_file(folder_->next_generation()) + ".part";
+  const Result<double> taken_s = time_of_writing_s(file, kProbe_MiB);
+  if (!taken_s) return kSlowDisk_bytes_per_s;  // the slot will say what is wrong
+  report_.wall_s += *taken_s;
+  return kHoldsOfProbe_frac * kProbe_bytes / *taken_s;
 }
 
 double Checkpointer::expected_cost_s() const {
   std::int64_t bytes = slot_bytes_ > 0 ? slot_bytes_ : guide_bytes(parts_->simulation.state());
   if (const DetailFollower* detail = follower()) bytes += planes_.bytes_to_save(*detail);
-  return kLeastCost_s + static_cast<double>(bytes) / bytes_per_s_;
+  return kLeastCost_s + static_cast<double>(bytes) / bytes_per_s_.value_or(kSlowDisk_bytes_per_s);
 }
 
 Result<void> Checkpointer::between_steps() {
@@ -193,8 +212,10 @@ Result<void> Checkpointer::save() {
     if (const Result<void>& whole = detail->canvas().problem(); !whole) return whole;
   }
   Result<void> written = write(folder_->next_generation());
-  saved_at_ = Clock::now();  // also of one that failed: not again before the time has come
-  const double cost_s = std::chrono::duration<double>(saved_at_ - begin).count();
+  // Also of one that failed: not again before the time or the step has come.
+  tried_at_ = Clock::now();
+  tried_step_ = parts_->simulation.state().step;
+  const double cost_s = std::chrono::duration<double>(tried_at_ - begin).count();
   report_.wall_s += cost_s;
   if (!written) return written;
   const std::int64_t bytes = slot_bytes_ + planes_.bytes_saved();

@@ -76,8 +76,12 @@ class Checkpointer final : public StepPause {
   DetailFollower* follower() const;
   Result<Slot> take(std::uint64_t generation);
   Result<void> go_on_from(std::uint64_t generation, Slot slot);
-  bool is_due() const;
-  bool is_affordable() const;
+  bool is_due();
+  /// Whether all slots together stay within their share of the time, this one included. Measures
+  /// the disk when it is asked first.
+  bool is_affordable();
+  bool has_time_for(double cost_s) const;
+  double probed_bytes_per_s();
   double expected_cost_s() const;
   Result<void> save();
   Result<void> write(std::uint64_t generation);
@@ -91,14 +95,14 @@ class Checkpointer final : public StepPause {
   SavedPlanes planes_;
   std::optional<std::uint64_t> newest_;  // the generation of the newest slot
   std::size_t stops_done_ = 0;
-  std::int64_t first_step_ = 0;
+  std::int64_t tried_step_ = 0;  // where it was last saved or could not be; at first the beginning
   std::optional<Moment> saved_;
   using Clock = std::chrono::steady_clock;
   const Clock::time_point begun_ = Clock::now();
-  Clock::time_point saved_at_ = begun_;
+  Clock::time_point tried_at_ = begun_;
   std::optional<Clock::time_point> interrupted_at_;  // heard within a step
-  std::int64_t slot_bytes_ = 0;  // of the last slot without its planes; 0: none yet
-  double bytes_per_s_;           // measured
+  std::int64_t slot_bytes_ = 0;        // of the last slot without its planes; 0: none yet
+  std::optional<double> bytes_per_s_;  // of the probe, then of the last slot
   CheckpointReport report_;
 };
 

@@ -1,0 +1,132 @@
+// A disk that does not take a slot: the job goes on without it, and what was saved before still
+// holds.
+
+#include <gtest/gtest.h>
+
+#include <cerrno>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "replay/checkpoint/checkpointer.h"
+#include "tests/formats/faulty_disk.h"
+#include "tests/replay/checkpoint/interrupted_job.h"
+#include "tests/replay/checkpoint/two_slots.h"
+#include "tests/replay/small_job.h"
+
+namespace pentimento {
+namespace {
+
+using test::busy_log;
+using test::checkpointed;
+using test::comparable;
+using test::FaultyDisk;
+using test::InterruptingControl;
+using test::JobFolder;
+using test::rendered;
+
+constexpr int kSteps = 43;  // of busy_log() that are computed
+
+/// Saved after every tenth step, and before the outputs.
+RenderJob often_saved(const JobFolder& folder, int detail) {
+  RenderJob job = checkpointed(folder.job({"a.h5"}), folder);
+  job.checkpoint.every_steps = 10;
+  job.detail = detail;
+  return job;
+}
+
+std::string plain_report(const JobFolder& folder, int detail) {
+  RenderJob job = folder.job({"a.h5"});
+  job.detail = detail;
+  return comparable(rendered(job));
+}
+
+std::size_t slots_in(const JobFolder& folder) {
+  std::size_t slots = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path("ck")))
+    slots += entry.path().extension() == ".slot" ? 1 : 0;
+  return slots;
+}
+
+TEST(FailedSaves, CostAWarningEachAndNothingElse) {
+  for (const int detail : {1, 2}) {
+    const JobFolder folder(busy_log());
+    const std::string plain = plain_report(folder, detail);
+    Control control;
+    std::vector<std::string> warnings;
+    control.warn = [&](const std::string& text) { warnings.push_back(text); };
+    FaultyDisk disk;
+    for (int slot = 1; slot <= 5; ++slot) disk.plan("rename", slot, {EIO});
+    const Result<JobReport> done = render(often_saved(folder, detail), control);
+    ASSERT_TRUE(done) << done.error().message;
+    EXPECT_EQ(comparable(*done), plain);
+    EXPECT_EQ(done->checkpoint->slots_written, 0);
+    ASSERT_EQ(warnings.size(), 5u);
+    EXPECT_EQ(warnings[0],
+              folder.path("ck/1.slot") + ": Input/output error; this moment is not saved");
+    EXPECT_FALSE(std::filesystem::exists(folder.path("ck")));
+  }
+}
+
+TEST(FailedSaves, OfTheDetailCanvasAreMadeGoodByTheNext) {
+  const JobFolder folder(busy_log());
+  const std::string plain = plain_report(folder, 2);
+  const RenderJob job = often_saved(folder, 2);
+  {
+    InterruptingControl interrupting(25);
+    std::vector<std::string> warnings;
+    interrupting.control.warn = [&](const std::string& text) { warnings.push_back(text); };
+    FaultyDisk disk;
+    disk.plan("fsync", 1, {ENOSPC});  // of the planes that had changed by step 10
+    EXPECT_EQ(render(job, interrupting.control).error().code, ErrorCode::kInterrupted);
+    ASSERT_EQ(warnings.size(), 1u);
+    EXPECT_NE(warnings[0].find(".planes: No space left on device"), std::string::npos)
+        << warnings[0];
+  }
+  const JobReport report = rendered(job);
+  EXPECT_GT(report.checkpoint->resumed_step.value_or(0), 0);
+  EXPECT_EQ(comparable(report), plain)
+      << "the second slot has all tiles, not those since the first";
+}
+
+TEST(FailedSaves, OfAnInterruptedJobAreAnErrorAndTheSlotBeforeStays) {
+  const JobFolder folder(busy_log());
+  const std::string plain = plain_report(folder, 1);
+  const RenderJob job = often_saved(folder, 1);
+  {
+    const InterruptingControl interrupting(15);
+    FaultyDisk disk;
+    disk.plan("fsync", 3, {EIO});  // two for the slot of step 10: its bytes, its name
+    const Result<JobReport> done = render(job, interrupting.control);
+    ASSERT_FALSE(done);
+    EXPECT_EQ(done.error().code, ErrorCode::kIo);
+    EXPECT_EQ(done.error().message, "interrupted, and not saved: " + folder.path("ck/2.slot.part") +
+                                        ": Input/output error");
+    EXPECT_EQ(slots_in(folder), 1u);
+  }
+  const JobReport report = rendered(job);
+  ASSERT_TRUE(report.checkpoint->resumed_step);
+  EXPECT_LT(*report.checkpoint->resumed_step, kSteps);
+  EXPECT_EQ(comparable(report), plain);
+}
+
+TEST(FailedSaves, ASlotThatCannotBeReadGivesWayToTheOneBefore) {
+  const JobFolder folder(busy_log());
+  const std::string plain = plain_report(folder, 1);
+  const RenderJob job = often_saved(folder, 1);
+  test::interrupt(job, 25);
+  Control control;
+  std::vector<std::string> warnings;
+  control.warn = [&](const std::string& text) { warnings.push_back(text); };
+  FaultyDisk disk;
+  disk.plan("pread", 1, {EIO});
+  const Result<JobReport> done = render(job, control);
+  ASSERT_TRUE(done) << done.error().message;
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0],
+            folder.path("ck/4.slot") + ": Input/output error; the slot before it is used");
+  EXPECT_EQ(comparable(*done), plain);
+}
+
+}  // namespace
+}  // namespace pentimento
