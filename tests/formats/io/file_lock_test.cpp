@@ -5,10 +5,12 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <cerrno>
 #include <csignal>
 #include <thread>
 #include <vector>
 
+#include "tests/formats/faulty_disk.h"
 #include "tests/formats/scratch.h"
 
 namespace pentimento {
@@ -92,6 +94,48 @@ TEST(FileLock, NeedsAFolder) {
   ASSERT_FALSE(lock.ok());
   EXPECT_EQ(lock.error().code, ErrorCode::kIo);
   EXPECT_EQ(lock.error().message, "/no/such/folder/picture.png: No such file or directory");
+}
+
+TEST(FileLock, IsAskedForAgainAfterASignal) {
+  const test::Scratch scratch;
+  test::FaultyDisk disk;
+  disk.plan("flock", 1, {EINTR});
+  const auto held = FileLock::take(scratch.path("picture.png"));
+  ASSERT_TRUE(held.ok());
+  EXPECT_NE(*held, nullptr);
+  EXPECT_EQ(disk.calls("flock"), 2);
+}
+
+TEST(FileLock, IsDoneWithoutWhereTheFileSystemHasNone) {
+  const test::Scratch scratch;
+  for (const int error_number : {ENOLCK, EOPNOTSUPP}) {
+    test::FaultyDisk disk;
+    disk.always("flock", error_number);
+    const auto none = FileLock::take(scratch.path("picture.png"));
+    ASSERT_TRUE(none.ok());
+    EXPECT_EQ(*none, nullptr);
+  }
+}
+
+TEST(FileLock, ThatFailsOtherwiseIsAnError) {
+  const test::Scratch scratch;
+  test::FaultyDisk disk;
+  disk.always("flock", EIO);
+  const auto lock = FileLock::take(scratch.path("picture.png"));
+  ASSERT_FALSE(lock.ok());
+  EXPECT_EQ(lock.error().message, scratch.path("picture.png") + ": Input/output error");
+}
+
+TEST(FileLock, RemovesNoFileThatIsNoLock) {
+  const test::Scratch scratch;
+  test::spill(scratch.path("target"), "precious");
+  std::filesystem::create_symlink("target", scratch.path(".pentimento-0123456789abcdef.lock"));
+  for (const char* name : {"notes.lock", ".pentimento-notes", ".pentimento-0123456789abcdee.lock"})
+    test::spill(scratch.path(name), "x");
+  FileLock::remove_stale(scratch.path(""));
+  EXPECT_EQ(scratch.files(), 4U) << "the last of them was a lock that nobody holds";
+  EXPECT_EQ(test::slurp(scratch.path("target")), "precious");
+  FileLock::remove_stale(scratch.path("no such folder"));
 }
 
 }  // namespace

@@ -1,14 +1,13 @@
 #include "formats/io/output_file.h"
 
-#include <dlfcn.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
-#include <unistd.h>
 
 #include <cerrno>
 #include <csignal>
 
 #include "formats/io/publish.h"
+#include "tests/formats/faulty_disk.h"
 #include "tests/formats/scratch.h"
 
 namespace pentimento {
@@ -18,67 +17,12 @@ using test::Scratch;
 using test::slurp;
 using test::spill;
 
-/// The calls by which a file reaches the disk and gets its name, in their order, while it lives:
-/// the functions below stand in front of the C library's for the whole programme.
-class WatchedDisk {
- public:
-  WatchedDisk() { current_ = this; }
-  ~WatchedDisk() { current_ = nullptr; }
-  static WatchedDisk* current() { return current_; }
-
-  void note(const std::string& call) { calls.push_back(call); }
-  std::vector<std::string> calls;
-  bool broken = false;  // every fsync fails
-
- private:
-  static inline WatchedDisk* current_ = nullptr;
-};
-
-std::string file_of(int descriptor) {
-  std::error_code error;
-  return std::filesystem::read_symlink("/proc/self/fd/" + std::to_string(descriptor), error)
-      .string();
-}
-
-template <typename Function>
-Function* next_one(const char* name) {
-  return reinterpret_cast<Function*>(::dlsym(RTLD_NEXT, name));
-}
-}  // namespace
-}  // namespace pentimento
-
-extern "C" {
-int fsync(int descriptor) {
-  if (auto* disk = pentimento::WatchedDisk::current()) {
-    disk->note("fsync " + pentimento::file_of(descriptor));
-    if (disk->broken) {
-      errno = EIO;
-      return -1;
-    }
-  }
-  return pentimento::next_one<int(int)>("fsync")(descriptor);
-}
-int rename(const char* from, const char* to) noexcept {
-  if (auto* disk = pentimento::WatchedDisk::current())
-    disk->note(std::string("name ").append(from).append(" ").append(to));
-  return pentimento::next_one<int(const char*, const char*)>("rename")(from, to);
-}
-int link(const char* from, const char* to) noexcept {
-  if (auto* disk = pentimento::WatchedDisk::current())
-    disk->note(std::string("name ").append(from).append(" ").append(to));
-  return pentimento::next_one<int(const char*, const char*)>("link")(from, to);
-}
-}
-
-namespace pentimento {
-namespace {
-
 TEST(OutputFile, IsOnTheDiskBeforeItHasItsNameAndThenTheNameIsToo) {
   for (const bool no_clobber : {false, true}) {
     const Scratch scratch;
     const std::string path = scratch.path("a.bin");
     std::string temporary;
-    WatchedDisk disk;
+    test::FaultyDisk disk;
     auto file = OutputFile::create(path, no_clobber);
     ASSERT_TRUE(file);
     (*file)->write("hello", 5);
@@ -87,7 +31,7 @@ TEST(OutputFile, IsOnTheDiskBeforeItHasItsNameAndThenTheNameIsToo) {
       return {};
     }));
     const std::string folder = std::filesystem::path(path).parent_path().string();
-    EXPECT_EQ(disk.calls,
+    EXPECT_EQ(disk.noted,
               (std::vector<std::string>{"fsync " + temporary, "name " + temporary + " " + path,
                                         "fsync " + folder}));
   }
@@ -97,8 +41,8 @@ TEST(OutputFile, WhatTheDiskDidNotTakeGetsNoName) {
   const Scratch scratch;
   const std::string path = scratch.path("a.bin");
   spill(path, "old");
-  WatchedDisk disk;
-  disk.broken = true;
+  test::FaultyDisk disk;
+  disk.always("fsync", EIO);
   const auto published = publish_bytes(path, "new");
   ASSERT_FALSE(published);
   EXPECT_EQ(published.error().message, path + ": Input/output error");

@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <cerrno>
+
+#include "tests/formats/faulty_disk.h"
 #include "tests/formats/scratch.h"
 
 namespace pentimento {
@@ -28,6 +31,18 @@ TEST(FirstBytes, OfWhatCannotBeReadAreAnError) {
   const test::Scratch scratch;
   EXPECT_EQ(first_bytes(scratch.path("none"), 4).error().code, ErrorCode::kIo);
   EXPECT_EQ(first_bytes(scratch.path(""), 4).error().code, ErrorCode::kIo);
+}
+
+TEST(FirstBytes, AreReadOnAfterASignal_NotAfterAnError) {
+  const test::Scratch scratch;
+  test::spill(scratch.path("a"), "hello");
+  test::FaultyDisk disk;
+  disk.plan("read", 1, {EINTR});
+  disk.plan("read", 2, {0, 2});
+  EXPECT_EQ(*first_bytes(scratch.path("a"), 4), "hell");
+  disk.plan("read", 1, {EIO});
+  EXPECT_EQ(first_bytes(scratch.path("a"), 4).error().message,
+            scratch.path("a") + ": Input/output error");
 }
 
 }  // namespace

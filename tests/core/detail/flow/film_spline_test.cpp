@@ -61,6 +61,21 @@ TEST(FilmSpline, KeepsARidgeOfOneCell) {
   }
 }
 
+TEST(FilmSpline, ARidgeHasTheCoefficientsOfTheFormula) {
+  // c of the header's formula, in exact fractions, for a level ridge three times as deep as the
+  // film around it: there f = 1, M = 1 and B(f) = 1, and B is (1, 76, 230, 76, 1) / 384 across the
+  // ridge.
+  Field<float> plane(kSide, kSide, 1.0f);
+  for (int x = 0; x < kSide; ++x) plane(x, 16) = 3;
+  const FilmSpline spline(plane, kBox);
+  const float expected[] = {4.6576838f, 0.3561375f, 1.1166582f};
+  for (int away = 0; away < 3; ++away) {
+    // Three passes round about ten times each.
+    EXPECT_NEAR(spline.film(16, 16 + away), expected[away], 1e-5f) << away;
+    EXPECT_NEAR(spline.film(16, 16 - away), expected[away], 1e-5f) << away;
+  }
+}
+
 TEST(FilmSpline, AnEdgeHoldsWhatItsCellsHold) {
   Field<float> plane(kSide, kSide);
   for (int y = 0; y < kSide; ++y)

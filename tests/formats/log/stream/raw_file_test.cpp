@@ -5,10 +5,13 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <csignal>
+#include <cstdlib>
 #include <thread>
 
 #include "formats/log/stream/line_source.h"
+#include "tests/formats/faulty_disk.h"
 #include "tests/formats/scratch.h"
 
 namespace pentimento::log {
@@ -82,6 +85,79 @@ TEST(RawFile, WaitingForAPipeEndsWithTheFlag) {
   signal.join();
   ASSERT_FALSE(read);
   EXPECT_EQ(read.error().code, ErrorCode::kInterrupted);
+}
+
+TEST(RawFile, WhatWasInterruptedOrCutShortGoesOn) {
+  const test::Scratch scratch;
+  test::spill(scratch.path("a"), "0123456789");
+  const auto file = RawFile::open(scratch.path("a"));
+  ASSERT_TRUE(file);
+  test::FaultyDisk disk;
+  disk.plan("read", 1, {EINTR});
+  disk.plan("read", 2, {EAGAIN});
+  disk.plan("read", 3, {0, 3});
+  std::string bytes(10, ' ');
+  EXPECT_EQ((*file)->read(bytes).value(), 10u);
+  EXPECT_EQ(bytes, "0123456789");
+  EXPECT_EQ(disk.calls("read"), 4);
+}
+
+TEST(RawFile, SaysWhatTheMachineRefuses) {
+  const test::Scratch scratch;
+  const std::string path = scratch.path("a");
+  EXPECT_EQ(RawFile::open(path).error().message,
+            path + ": cannot be opened: No such file or directory");
+  EXPECT_EQ(RawFile::open(scratch.path("")).error().message,
+            scratch.path("") + ": cannot be read: Is a directory");
+  test::spill(path, "0123456789");
+  const auto file = RawFile::open(path);
+  ASSERT_TRUE(file);
+  test::FaultyDisk disk;
+  disk.plan("read", 1, {EIO});
+  std::string bytes(10, ' ');
+  const auto read = (*file)->read(bytes);
+  ASSERT_FALSE(read);
+  EXPECT_EQ(read.error().code, ErrorCode::kIo);
+  EXPECT_EQ(read.error().message, path + ": cannot be read: Input/output error");
+  disk.plan("lseek", 1, {ESPIPE});
+  EXPECT_EQ((*file)->rewind().error().message, path + ": cannot be read again: Illegal seek");
+}
+
+TEST(RawFile, OfAPipeNeedsRoomForItsCopy) {
+  const test::Scratch scratch;
+  const std::string path = scratch.path("pipe");
+  ASSERT_EQ(::mkfifo(path.c_str(), 0600), 0);
+  const int writer = ::open(path.c_str(), O_RDWR);  // keeps it open, so that it does not end
+  ASSERT_EQ(::write(writer, "0123456789", 10), 10);
+  const auto file = RawFile::open(path);
+  ASSERT_TRUE(file);
+  std::string bytes(5, ' ');
+  {
+    test::FaultyDisk disk;
+    disk.plan("write", 1, {EINTR});
+    disk.plan("write", 2, {0, 2});
+    EXPECT_EQ((*file)->read(bytes).value(), 5u);
+    EXPECT_EQ(disk.calls("write"), 3);
+    ASSERT_TRUE((*file)->rewind());
+    disk.plan("pread", 1, {EINTR});
+    EXPECT_EQ((*file)->read(bytes).value(), 5u);
+    EXPECT_EQ(bytes, "01234");
+    disk.always("write", ENOSPC);
+    const auto full = (*file)->read(bytes);
+    ASSERT_FALSE(full);
+    EXPECT_EQ(full.error().code, ErrorCode::kIo);
+    EXPECT_EQ(full.error().message,
+              path + ": its temporary copy cannot be written: No space left on device");
+    ASSERT_TRUE((*file)->rewind());
+    disk.plan("pread", 1, {EIO});
+    EXPECT_EQ((*file)->read(bytes).error().message,
+              path + ": its temporary copy cannot be read: Input/output error");
+  }
+  ::setenv("TMPDIR", scratch.path("none").c_str(), 1);
+  EXPECT_EQ(RawFile::open(path).error().message,
+            path + ": no temporary file to keep it in: No such file or directory");
+  ::unsetenv("TMPDIR");
+  ::close(writer);
 }
 
 TEST(LineSource, BlankLinesAndBytesAreBounded) {
