@@ -4,14 +4,17 @@
 // A line of input: LOG, SCHEME (conservative, paper), AT (as --at takes it), DETAIL, THREADS,
 // separated by tabs. DETAIL above 1 is that of the detail canvas; the published fluid has none and
 // is simulated on a grid that many times finer (--refine direct). A line of output is the hash.
+// With the argument --instruction-set it prints which versions of the kernels it runs.
 
 #include <iostream>
 #include <optional>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "replay/commands/render.h"
+#include "tests/golden/instruction_set.h"
 
 namespace pentimento {
 namespace {
@@ -65,6 +68,10 @@ int print_hashes() {
 }  // namespace
 }  // namespace pentimento
 
-int main() {
+int main(int argc, char** argv) {
+  if (argc == 2 && std::string_view(argv[1]) == "--instruction-set") {
+    std::cout << pentimento::instruction_set() << '\n';
+    return 0;
+  }
   return pentimento::print_hashes();
 }
