@@ -1,52 +1,33 @@
 // What a step of the conservative scheme costs with the whole canvas awake, pass by pass, beside
-// the paper scheme's plain loops and a memory probe in the same run.
-//   build/pentimento_bench --benchmark_filter=Conservative --benchmark_repetitions=3
+// the paper scheme's; and moving paint and momentum beside their plain twins. The probe of
+// probe_bench.cpp belongs to the same run:
+//   build/pentimento_bench --benchmark_filter='Conservative|Probe' --benchmark_repetitions=3
 // Counter ns_per_cell: per awake cell and step.
 
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
-#include <array>
 #include <ctime>
-#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "core/fluid/conservative/advection/advection.h"
 #include "core/simulation/make_scheme.h"
-#include "tests/core/fluid/conservative/basin.h"
+#include "tests/bench/running_canvas.h"
+#include "tests/core/fluid/conservative/plain_paint.h"
 
 namespace pentimento::conservative {
 namespace {
 
 constexpr int kWidth = 1024, kHeight = 768;
-
-// Runny paint of uneven depth and stiffness everywhere, tilted: nothing can sleep.
-Basin running_canvas(int threads) {
-  Basin b({kWidth, kHeight, 1.0, 0.75}, 2, 4, threads);
-  b.gravity_m_s2 = {2, -3, 9};
-  for (int y = 0; y < kHeight; ++y)
-    for (int x = 0; x < kWidth; ++x) {
-      b.state.base_m(x, y) = 1e-4f * static_cast<float>((x * 7 + y * 5) % 4);
-      const float d = 0.002f + 0.0004f * static_cast<float>((x / 8 + 2 * (y / 8)) % 5);
-      b.state.depth_m(x, y) = d;
-      for (int k = 0; k < 2; ++k)
-        for (int c = 0; c < 4; ++c)
-          b.state.channel(k, c)(x, y) = 0.25f * d * static_cast<float>(k + 1);
-    }
-  b.steps(5);
-  return b;
-}
+constexpr int kSteps = 12, kMoves = 8;  // enough to be told from noise, quick to be repeated
 
 void report(benchmark::State& state) {
   state.counters["ns_per_cell"] =
       benchmark::Counter(static_cast<double>(state.iterations()) * kWidth * kHeight * 1e-9,
                          benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
-}
-
-// Gravity that walks round once in two seconds: the paint never comes to rest.
-void turn(Basin& b, int step) {
-  constexpr std::array<float, 8> kCircle = {0, 0.7071f, 1, 0.7071f, 0, -0.7071f, -1, -0.7071f};
-  const auto at = static_cast<std::size_t>(step / 11);
-  b.gravity_m_s2 = {4 * kCircle[at % 8], 4 * kCircle[(at + 2) % 8], 9};
+  state.SetItemsProcessed(state.iterations() * kWidth * kHeight);
 }
 
 // Processor time of each pass, of all threads together.
@@ -71,11 +52,15 @@ class PassClock {
 };
 
 void ConservativeStep(benchmark::State& state) {
-  Basin b = running_canvas(static_cast<int>(state.range(0)));
+  Basin b = running_canvas(kWidth, kWidth, static_cast<int>(state.range(0)));
   PassClock clock;
-  b.scheme.on_pass([&](const char* pass) { clock.passed(pass); });
   int step = 0;
   double awake = 1;
+  int parts = 0;
+  b.scheme.on_pass([&](const char* pass) {
+    clock.passed(pass);
+    if (std::string_view(pass) == "height") ++parts;
+  });
   for (auto _ : state) {
     turn(b, step++);
     clock.begin();
@@ -83,6 +68,7 @@ void ConservativeStep(benchmark::State& state) {
     awake = std::min(awake, b.scheme.awake_share());
   }
   state.counters["awake_min"] = awake;
+  state.counters["parts"] = static_cast<double>(parts) / step;  // into which a step is cut
   state.counters["speed"] = b.statistic("max_speed_m_s");
   clock.report(state);
   report(state);
@@ -90,7 +76,7 @@ void ConservativeStep(benchmark::State& state) {
 /// The same with and without surface tension, and with films that end: bare stripes, 24 cells of
 /// each 48. Arguments: whether films end, N/m in thousandths.
 void ConservativeTension(benchmark::State& state) {
-  Basin b = running_canvas(1);
+  Basin b = running_canvas(kWidth, kWidth, 1);
   b.model.surface_tension_N_m = 1e-3f * static_cast<float>(state.range(1));
   if (state.range(0) != 0) {
     for (int y = 0; y < kHeight; ++y) {
@@ -118,25 +104,52 @@ BENCHMARK(ConservativeTension)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 
-BENCHMARK(ConservativeStep)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
-
-void ConservativeMovePaint(benchmark::State& state) {
-  Basin b = running_canvas(static_cast<int>(state.range(1)));
-  const Axis axis = state.range(0) == 0 ? Axis::kX : Axis::kY;
-  SleepTiles tiles(b.state.geometry, b.model.sleep_tile_m);
-  b.state.sleep.clear();
-  const StepInput in{b.model, b.gravity_m_s2, b.dt_s, b.contact, b.amount, b.pool};
-  tiles.wake(b.state, in);
-  for (auto _ : state) advect_paint(b.state, in, axis, tiles);
-  report(state);
-}
-BENCHMARK(ConservativeMovePaint)
-    ->ArgsProduct({{0, 1}, {1, 2}})
+BENCHMARK(ConservativeStep)
+    ->Arg(1)
+    ->Arg(2)
+    ->Iterations(kSteps)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 
-void ConservativeMoveMomentum(benchmark::State& state) {
-  Basin b = running_canvas(static_cast<int>(state.range(1)));
+using MovePaint = void (*)(CanvasState&, const StepInput&, Axis, const SleepTiles&);
+/// Moves the paint forth and back, so that it stays what it is. Arguments: axis, threads.
+void move_paint(benchmark::State& state, MovePaint move) {
+  Basin b = running_canvas(kWidth, kWidth, static_cast<int>(state.range(1)));
+  const Axis axis = state.range(0) == 0 ? Axis::kX : Axis::kY;
+  SleepTiles tiles(b.state.geometry, b.model.sleep_tile_m);
+  b.state.sleep.clear();
+  const StepInput forth{b.model, b.gravity_m_s2, b.dt_s, b.contact, b.amount, b.pool};
+  const StepInput back{b.model, b.gravity_m_s2, -b.dt_s, b.contact, b.amount, b.pool};
+  tiles.wake(b.state, forth);
+  bool forward = true;
+  for (auto _ : state) {
+    move(b.state, forward ? forth : back, axis, tiles);
+    forward = !forward;
+  }
+  report(state);
+}
+void ConservativeMovePaint(benchmark::State& state) {
+  move_paint(state, advect_paint);
+}
+void ConservativeMovePaintPlainly(benchmark::State& state) {
+  move_paint(state, advect_paint_in_batches);
+}
+BENCHMARK(ConservativeMovePaint)
+    ->ArgsProduct({{0, 1}, {1, 2}})
+    ->Iterations(kMoves)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK(ConservativeMovePaintPlainly)
+    ->ArgsProduct({{0, 1}, {1}})
+    ->Iterations(kMoves)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+
+using MoveMomentum = void (*)(const CanvasState&, const StepInput&, Axis, Turn, const SleepTiles&,
+                              Workspace&);
+/// Arguments: axis, threads.
+void move_momentum(benchmark::State& state, MoveMomentum move) {
+  Basin b = running_canvas(kWidth, kWidth, static_cast<int>(state.range(1)));
   const Axis axis = state.range(0) == 0 ? Axis::kX : Axis::kY;
   SleepTiles tiles(b.state.geometry, b.model.sleep_tile_m);
   Workspace work(b.state.geometry);
@@ -144,11 +157,23 @@ void ConservativeMoveMomentum(benchmark::State& state) {
   const StepInput in{b.model, b.gravity_m_s2, b.dt_s, b.contact, b.amount, b.pool};
   tiles.wake(b.state, in);
   fill_node_masses(b.state, tiles, b.pool, work);
-  for (auto _ : state) advect_momentum(b.state, in, axis, Turn::kFirst, tiles, work);
+  for (auto _ : state) move(b.state, in, axis, Turn::kFirst, tiles, work);
   report(state);
+}
+void ConservativeMoveMomentum(benchmark::State& state) {
+  move_momentum(state, advect_momentum);
+}
+void ConservativeMoveMomentumPlainly(benchmark::State& state) {
+  move_momentum(state, advect_momentum_in_batches);
 }
 BENCHMARK(ConservativeMoveMomentum)
     ->ArgsProduct({{0, 1}, {1, 2}})
+    ->Iterations(kMoves)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK(ConservativeMoveMomentumPlainly)
+    ->ArgsProduct({{0, 1}, {1}})
+    ->Iterations(kMoves)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 
@@ -171,7 +196,7 @@ void ConservativeVCycle(benchmark::State& state) {
 BENCHMARK(ConservativeVCycle)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 void ConservativePaperStep(benchmark::State& state) {
-  Basin b = running_canvas(static_cast<int>(state.range(0)));
+  Basin b = running_canvas(kWidth, kWidth, static_cast<int>(state.range(0)));
   b.model.scheme = SchemeKind::kPaper;
   const auto scheme = make_scheme(SchemeKind::kPaper, b.state.geometry, 2, 4);
   const StepInput in{b.model, b.gravity_m_s2, b.dt_s, b.contact, b.amount, b.pool};
@@ -179,22 +204,6 @@ void ConservativePaperStep(benchmark::State& state) {
   report(state);
 }
 BENCHMARK(ConservativePaperStep)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
-
-// Reads and writes one plane in place: 8 bytes a cell.
-void ConservativeMemoryProbe(benchmark::State& state) {
-  std::vector<Field<float>> planes;
-  for (int i = 0; i < 40; ++i) planes.emplace_back(kWidth, kHeight, 1.0f);  // far beyond the cache
-  std::size_t k = 0;
-  for (auto _ : state) {
-    Field<float>& p = planes[k++ % planes.size()];
-    for (int y = 0; y < kHeight; ++y)
-      for (int x = 0; x < kWidth; ++x) p(x, y) *= 1.0001f;
-    benchmark::ClobberMemory();
-  }
-  report(state);
-  state.SetBytesProcessed(state.iterations() * kWidth * kHeight * 8);
-}
-BENCHMARK(ConservativeMemoryProbe)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace
 }  // namespace pentimento::conservative

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "replay/hashes/field_hashes.h"
 #include "replay/hashes/hash_recorder.h"
 #include "replay/play/player.h"
 #include "replay/session/log_plan.h"
@@ -83,6 +84,18 @@ BENCHMARK(PlayerSteps)
     ->Args({1024, 2, 1})
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
+
+/// Hashing all of a canvas of 1024 x 768 cells, 2 layers of 4 channels. An item is a cell.
+void ReplayHashes(benchmark::State& bench) {
+  CanvasState state = make_canvas_state({1024, 768, 1, 0.75}, 2, 4, 3, 0.9f);
+  state.depth_m.fill(0.002f);
+  for (Field<float>& plane : state.pigment) plane.fill(0.001f);
+  FieldHashes hashes(state.geometry, 1.0f / 32);
+  const Threads threads(1);
+  for (auto _ : bench) hashes.update(state, threads, true);
+  bench.SetItemsProcessed(bench.iterations() * 1024 * 768);
+}
+BENCHMARK(ReplayHashes)->Iterations(8)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace pentimento
