@@ -10,15 +10,18 @@
 #include "core/detail/flow/level_detail.h"
 #include "core/detail/lock/lock.h"
 #include "core/fluid/brush_contact.h"
+#include "tests/bench/least_time.h"
 #include "tests/core/detail/painted.h"
 
 namespace pentimento {
 namespace {
 
 constexpr int kFactor = 8, kWidth = 96, kHeight = 72;  // 768 x 576 fine cells
+constexpr double kFineCells = kWidth * kHeight * kFactor * kFactor;
 constexpr int kRepeats = 8;  // enough to be told from noise, quick to be repeated
 
-void report(benchmark::State& run) {
+void report(benchmark::State& run, const LeastTime& least) {
+  least.report(run, kFineCells);
   run.SetItemsProcessed(run.iterations() * kWidth * kHeight * kFactor * kFactor);
 }
 
@@ -64,12 +67,13 @@ struct FineCanvas {
 void move(benchmark::State& run, Axis axis) {
   FineCanvas c;
   float sign = 1;
+  LeastTime least;
   for (auto _ : run) {
     c.move_edges(sign);
-    advect_detail(c.canvas, c.edges, axis, c.all, {0, c.amount}, c.threads);
+    least.time([&] { advect_detail(c.canvas, c.edges, axis, c.all, {0, c.amount}, c.threads); });
     sign = -sign;
   }
-  report(run);
+  report(run, least);
 }
 void DetailMoveX(benchmark::State& run) {
   move(run, Axis::kX);
@@ -85,8 +89,9 @@ void DetailLevel(benchmark::State& run) {
   const BrushContact contact = make_brush_contact(kWidth, kHeight);
   const std::vector<float> amount = {1, 1};
   const StepInput in{model, {0, -4, 9}, 1.0f / 45, contact, amount, c.threads};
-  for (auto _ : run) level_detail(c.canvas, c.guide, c.edges, in, c.all);
-  report(run);
+  LeastTime least;
+  for (auto _ : run) least.time([&] { level_detail(c.canvas, c.guide, c.edges, in, c.all); });
+  report(run, least);
 }
 
 /// The guide's paint grows and shrinks by a fiftieth and is never the same in two cells side by
@@ -95,6 +100,7 @@ void DetailLock(benchmark::State& run) {
   FineCanvas c;
   Lock lock(c.layout, 2);
   bool more = true;
+  LeastTime least;
   for (auto _ : run) {
     for (int y = 0; y < kHeight; ++y)
       for (int x = 0; x < kWidth; ++x) {
@@ -102,10 +108,10 @@ void DetailLock(benchmark::State& run) {
         c.guide.depth_m(x, y) *= factor;
         for (Field<float>& plane : c.guide.pigment) plane(x, y) *= factor;
       }
-    lock.lock(c.canvas, c.guide, c.all.strips(), c.threads);
+    least.time([&] { lock.lock(c.canvas, c.guide, c.all.strips(), c.threads); });
     more = !more;
   }
-  report(run);
+  report(run, least);
 }
 
 BENCHMARK(DetailMoveX)->Iterations(kRepeats)->Unit(benchmark::kMillisecond);

@@ -11,7 +11,7 @@ NEAR_BOUND = 1.7
 
 INTRODUCTION = """# Time by phase
 
-`tests/bench/report.py` wrote this page from `phases.json`, which it measured; nothing here is typed by hand.
+`tests/bench/report.py` wrote this page from `docs/bench/measured.json`, which it measured; nothing here is typed by hand.
 
 ```sh
 ./bootstrap bench --report                      # measure, and write this page

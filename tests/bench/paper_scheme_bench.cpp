@@ -18,6 +18,7 @@
 #include "core/fluid/paper/viscosity.h"
 #include "core/fluid/paper/wet_front.h"
 #include "core/fluid/rheology.h"
+#include "tests/bench/least_time.h"
 
 namespace pentimento::paper {
 namespace {
@@ -87,7 +88,10 @@ void time_pass(benchmark::State& run, Body body) {
       p.system.centre(x, y) = 0.2f * p.height_m[0](x, y);
       p.system.left(x, y) = p.system.right(x, y) = p.system.up(x, y) = p.system.down(x, y) = 0.2f;
     }
-  for (auto _ : run) canvas.threads.for_rows(height, [&](int y) { body(canvas, k, y); });
+  LeastTime least;
+  for (auto _ : run)
+    least.time([&] { canvas.threads.for_rows(height, [&](int y) { body(canvas, k, y); }); });
+  least.report(run, static_cast<double>(width) * height);
   report(run);
 }
 

@@ -1,5 +1,5 @@
 """Runs the benchmarks and reads what they write: the nanoseconds of an item (a cell, mostly) by the name
-of a benchmark, as `check.py` and `report.py` use them.
+of a benchmark, as `check.py` and `report.py` use them. Where a benchmark notes its least time (least_time.h), that is its time.
 
 A *reference* names a time: `NAME`, the processor time of an item of that benchmark; `NAME#counter`, a
 counter of it in nanoseconds; `NAME@wall`, the time on the clock of an item. NAME is without Google
@@ -37,6 +37,8 @@ def times_of(entry):
         counted_ns = wall_ns if "/real_time" in entry["name"] else cpu_ns
         items = entry["items_per_second"] * counted_ns * 1e-9
     times = {name: cpu_ns / items, f"{name}@wall": wall_ns / items}
+    if "ns_least" in entry:
+        times[name] = entry["ns_least"]
     for counter, value in entry.items():
         if counter.startswith("ns_"):
             times[f"{name}#{counter}"] = value
