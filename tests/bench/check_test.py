@@ -97,6 +97,40 @@ class Reading(unittest.TestCase):
             self.assertFalse(pattern.search(name), name)
 
 
+def made_up_page(phases, factor=None):
+    """The page where every phase takes 2 ns, every probe 0.5, and `before` is `factor` times as slow."""
+    times = {reference: {"best": 0.5 if reference.startswith("Probe") else 2.0, "median": 2.0}
+             for p in phases for reference in (p["time"], p.get("against")) if reference}
+    times.update({probe: {"best": 0.5, "median": 0.5} for probe in page.PROBES})
+    document = {"machine": {"processor": "one", "instruction_set": "sse2", "processors": 2, "system": "Linux",
+                            "load_before": 0, "load_after": 1}, "rounds": 1, "counters": {}, "now": times}
+    if factor:
+        document["before"] = {name: {"best": factor * t["best"], "median": 0} for name, t in times.items()}
+    return page.text(phases, document)
+
+
+class Page(unittest.TestCase):
+    PHASES = [{"phase": "conservative/faces", "time": "Step/1#ns_faces", "against": "Probe/update/DRAM",
+               "work": {"read": 5, "written": 3, "near": 10, "operations": 100, "divisions": 4, "counted": "so"}}]
+
+    def test_says_speed_and_share_of_the_probe(self):
+        # 8 planes of 4 bytes in 2 ns are 16 GB/s; the triad moves 12 bytes in 0.5 ns.
+        self.assertIn("| `faces` | 2 | 16 | 67 % | 4 |", made_up_page(self.PHASES))
+
+    def test_says_what_was_before(self):
+        self.assertIn("| `faces` | 2 | 6 | 3 x | 16 |", made_up_page(self.PHASES, 3))
+
+    def test_says_what_bounds_a_pass(self):
+        # Memory: 32 bytes at 24 GB/s; arithmetic: 104 operations of half a nanosecond.
+        self.assertIn("| 1.33 | 1.67 | 52 | arithmetic |", made_up_page(self.PHASES))
+        lazy = json.loads(json.dumps(self.PHASES))
+        lazy[0]["work"].update(operations=1, divisions=0, near=1, read=1, written=1)
+        self.assertIn("| none of them (arithmetic alone: 25 %) |", made_up_page(lazy))
+
+    def test_says_whether_the_machine_was_quiet(self):
+        self.assertIn("the machine was quiet", made_up_page(self.PHASES))
+
+
 class Registry(unittest.TestCase):
     def setUp(self):
         self.phases = json.loads(report.PHASES.read_text())["phases"]

@@ -23,7 +23,8 @@ INTRODUCTION = """# Time by phase
 
 MACHINE = """{processor}, {processors} processors, {instruction_set}, {system}. Load while it was measured: {load_before} \
 at the start, {load_after} at the end (this measurement is 1 of it), so {busy}. Each time is the least \
-processor time of {rounds} runs, all benchmarks in turns; in the middle of the runs, times were {spread} % longer.
+processor time of an iteration in {rounds} runs, all benchmarks in turns; the middle one of the runs took {spread} % \
+longer, in the middle of all benchmarks.
 """
 
 
@@ -60,7 +61,7 @@ def table(head, rows):
 
 def machine(document):
     spread = sorted(100 * (t["median"] / t["best"] - 1) for t in document["now"].values() if t["best"] > 0)
-    load = max(document["machine"]["load_before"] - 0, document["machine"]["load_after"] - 1)
+    load = max(document["machine"]["load_before"], document["machine"]["load_after"] - 1)
     busy = "the machine was quiet" if load < 0.5 else "other work shared caches and memory with it"
     return MACHINE.format(**document["machine"], rounds=document["rounds"], busy=busy,
                           spread=number(spread[len(spread) // 2])) + "\n"
@@ -147,6 +148,8 @@ def bounds(work, m):
 
 def verdict(ns, limits):
     name, least = max(limits.items(), key=lambda item: item[1])
+    if least == 0:
+        return ""
     if ns <= NEAR_BOUND * least:
         return name
     return f"none of them ({name} alone: {100 * least / ns:.0f} %)"
