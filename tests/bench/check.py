@@ -122,6 +122,9 @@ def main():
         if ours["processor"] != model:
             print(f"note: the ratios were stored on another processor, {ours['processor']}; this is {model}")
         found = measured(options.program, phases, stored, options.rounds or ROUNDS)
+    busy, processors = results.load()
+    if busy > processors:
+        print(f"note: {busy:.0f} processes want {processors} processors; ratios may be a fifth off")
     problems = problems_of(phases, found, stored)
     for line in problems:
         print(line)
