@@ -26,7 +26,7 @@ using test::InterruptingControl;
 using test::JobFolder;
 using test::rendered;
 
-constexpr int kSteps = 43;  // of busy_log() that are computed
+constexpr int kSteps = 43;  // of busy_log()
 
 /// Saved after every tenth step, and before the outputs.
 RenderJob often_saved(const JobFolder& folder, int detail) {
@@ -113,7 +113,7 @@ TEST(FailedSaves, OfAnInterruptedJobAreAnErrorAndTheSlotBeforeStays) {
   const std::string plain = plain_report(folder, 1);
   const RenderJob job = often_saved(folder, 1);
   {
-    const InterruptingControl interrupting(15);
+    const InterruptingControl interrupting(10);  // the 16th step: those before a touch are skipped
     FaultyDisk disk;
     disk.plan("fsync", 3, {EIO});  // two for the slot of step 10: its bytes, its name
     const Result<JobReport> done = render(job, interrupting.control);
