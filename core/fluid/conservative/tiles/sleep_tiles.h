@@ -11,8 +11,8 @@
 //  - gravity differs, in any component, by Model::wake_gravity_m_s2 or more from what it was when
 //    the tile fell asleep, unless all its paint is too thin or too stiff to feel gravity.
 //
-// What sleeps is kept in CanvasState::sleep. If it is emptied, everything wakes, but on a fresh canvas
-// that nobody touches: that sleeps.
+// What sleeps is kept in CanvasState::sleep. If it is emptied, everything wakes, but on a fresh
+// canvas that nobody touches: that sleeps.
 
 #include <cstdint>
 #include <functional>
