@@ -1,19 +1,11 @@
 #pragma once
-// For tests of what is done when the machine refuses: functions that stand in front of the C
-// library's for the whole test programme, and a disk that says which of their calls fail.
+// For tests of what is done when the machine refuses: a disk that says which calls fail of the
+// functions of faulty_disk.cpp, which stand in front of the C library's for the whole test
+// programme.
 
-#include <dlfcn.h>
-#include <sys/file.h>
-#include <time.h>
-#include <unistd.h>
-
-#include <algorithm>
-#include <cerrno>
-#include <filesystem>
-#include <functional>
+#include <cstddef>
 #include <map>
 #include <string>
-#include <system_error>
 #include <vector>
 
 namespace pentimento::test {
@@ -72,109 +64,4 @@ class FaultyDisk {
   std::map<std::string, Fault> always_;
 };
 
-inline std::string file_of(int descriptor) {
-  std::error_code error;
-  return std::filesystem::read_symlink("/proc/self/fd/" + std::to_string(descriptor), error)
-      .string();
-}
-
-inline void note(const std::string& call) {
-  if (FaultyDisk* disk = FaultyDisk::current()) disk->noted.push_back(call);
-}
-
-template <typename Function>
-Function* next_one(const char* name) {
-  return reinterpret_cast<Function*>(::dlsym(RTLD_NEXT, name));
-}
-
-/// Calls the C library's function by way of `call`, or fails as planned.
-template <typename Call>
-auto meet(const char* name, const Call& call) -> decltype(call(Fault())) {
-  const Fault fault = FaultyDisk::meet(name);
-  if (fault.error_number == 0) return call(fault);
-  errno = fault.error_number;
-  return -1;
-}
-
-template <typename Call>
-ssize_t meet_read(const char* name, void* bytes, const Call& call) {
-  return meet(name, [&](const Fault& fault) {
-    const ssize_t count = call(fault);
-    if (fault.flips && count > 0) *static_cast<unsigned char*>(bytes) ^= 1U;
-    return count;
-  });
-}
-
 }  // namespace pentimento::test
-
-// Weak, so that every test that wants them may include this file.
-extern "C" {
-[[gnu::weak]] int fsync(int file) {
-  pentimento::test::note("fsync " + pentimento::test::file_of(file));
-  return pentimento::test::meet("fsync", [&](const pentimento::test::Fault&) {
-    static auto* const real = pentimento::test::next_one<int(int)>("fsync");
-    return real(file);
-  });
-}
-[[gnu::weak]] int rename(const char* from, const char* to) noexcept {
-  pentimento::test::note(std::string("name ").append(from).append(" ").append(to));
-  return pentimento::test::meet("rename", [&](const pentimento::test::Fault&) {
-    static auto* const real = pentimento::test::next_one<int(const char*, const char*)>("rename");
-    return real(from, to);
-  });
-}
-[[gnu::weak]] int link(const char* from, const char* to) noexcept {
-  pentimento::test::note(std::string("name ").append(from).append(" ").append(to));
-  return pentimento::test::meet("link", [&](const pentimento::test::Fault&) {
-    static auto* const real = pentimento::test::next_one<int(const char*, const char*)>("link");
-    return real(from, to);
-  });
-}
-[[gnu::weak]] ssize_t write(int file, const void* bytes, size_t count) {
-  return pentimento::test::meet("write", [&](const pentimento::test::Fault& fault) {
-    static auto* const real =
-        pentimento::test::next_one<ssize_t(int, const void*, size_t)>("write");
-    return real(file, bytes, std::min(count, fault.most));
-  });
-}
-[[gnu::weak]] ssize_t read(int file, void* bytes, size_t count) {
-  return pentimento::test::meet_read("read", bytes, [&](const pentimento::test::Fault& fault) {
-    static auto* const real = pentimento::test::next_one<ssize_t(int, void*, size_t)>("read");
-    return real(file, bytes, std::min(count, fault.most));
-  });
-}
-[[gnu::weak]] ssize_t pread(int file, void* bytes, size_t count, off_t offset) {
-  return pentimento::test::meet_read("pread", bytes, [&](const pentimento::test::Fault& fault) {
-    static auto* const real =
-        pentimento::test::next_one<ssize_t(int, void*, size_t, off_t)>("pread");
-    return real(file, bytes, std::min(count, fault.most), offset);
-  });
-}
-[[gnu::weak]] off_t lseek(int file, off_t offset, int from) noexcept {
-  return pentimento::test::meet("lseek", [&](const pentimento::test::Fault&) {
-    static auto* const real = pentimento::test::next_one<off_t(int, off_t, int)>("lseek");
-    return real(file, offset, from);
-  });
-}
-[[gnu::weak]] int ftruncate(int file, off_t bytes) noexcept {
-  return pentimento::test::meet("ftruncate", [&](const pentimento::test::Fault&) {
-    static auto* const real = pentimento::test::next_one<int(int, off_t)>("ftruncate");
-    return real(file, bytes);
-  });
-}
-[[gnu::weak]] int flock(int file, int how) noexcept {
-  return pentimento::test::meet("flock", [&](const pentimento::test::Fault&) {
-    static auto* const real = pentimento::test::next_one<int(int, int)>("flock");
-    return real(file, how);
-  });
-}
-/// Does not sleep at all while a disk is watched.
-[[gnu::weak]] int nanosleep(const timespec* time, timespec* rest) {
-  return pentimento::test::meet("nanosleep", [&](const pentimento::test::Fault&) {
-    if (pentimento::test::FaultyDisk::current() != nullptr) return 0;
-    static auto* const real =
-        pentimento::test::next_one<int(const timespec*, timespec*)>("nanosleep");
-    return real(time, rest);
-  });
-}
-}
