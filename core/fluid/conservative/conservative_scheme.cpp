@@ -109,8 +109,9 @@ void ConservativeScheme::make_tiles(float sleep_tile_m) {
 bool ConservativeScheme::step(CanvasState& state, const StepInput& in) {
   if (!tiles_) make_tiles(in.model.sleep_tile_m);
   steps_ += 1;
-  // A fresh canvas that nobody touches rests. One that is touched is computed everywhere, as logs
-  // are recorded to be: a far push would round otherwise where its row begins elsewhere.
+  // A fresh canvas that nobody touches rests. One that is touched is computed everywhere: the cells
+  // of a far push are counted from where its row of awake cells begins, so it would round otherwise
+  // with fewer tiles awake, and states would change.
   if (state.sleep.empty() && in.fresh && in.contact.empty()) tiles_->rest_fresh(state, in);
   // 1. Wake tiles: finds the tiles that this step computes. The workspace of a tile that is asleep
   // holds zeros.
