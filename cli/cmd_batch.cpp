@@ -17,7 +17,7 @@
 namespace pentimento::cli {
 
 namespace {
-constexpr const char* kAbout =
+constexpr const char* kBatchAbout =
     "Render every log of a manifest, each in a process of its own, and judge the results. The "
     "same\n"
     "command again goes on from what is done. Exit code 1: a job failed.\n\n"
@@ -92,7 +92,7 @@ Result<void> complete(BatchWords& o, const CLI::App& app) {
 
 int run_batch_command(const Arguments& arguments) {
   BatchWords o;
-  CLI::App app(kAbout, "pentimento batch");
+  CLI::App app(kBatchAbout, "pentimento batch");
   add_options(app, o);
   o.talk.add_to(app);
   if (const std::optional<int> code = parse(app, arguments)) return *code;

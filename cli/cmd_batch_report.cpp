@@ -11,7 +11,7 @@
 namespace pentimento::cli {
 
 namespace {
-constexpr const char* kAbout =
+constexpr const char* kBatchReportAbout =
     "Merge the runs of `batch`, shards of one or the same again, into one report. Exit code 1: a\n"
     "job failed or did not run.\n\n"
     "Examples:\n"
@@ -31,7 +31,7 @@ int run_batch_report(const Arguments& arguments) {
   std::vector<std::string> runs;
   std::string junit, html;
   bool json = false;
-  CLI::App app(kAbout, "pentimento batch-report");
+  CLI::App app(kBatchReportAbout, "pentimento batch-report");
   app.add_option("runs", runs, "folders of runs")->required()->type_name("");
   app.add_option("--junit", junit, "write JUnit's XML, `-` to standard output")->type_name("FILE");
   app.add_option("--html", html, "write pages into this folder")->type_name("DIR");

@@ -11,7 +11,7 @@
 namespace pentimento::cli {
 
 namespace {
-constexpr const char* kAbout =
+constexpr const char* kCompareAbout =
     "Compare two pictures or two state dumps, channel by channel. Exit code 0: equal within what\n"
     "is allowed (nothing, unless a threshold is given); 1: they differ.\n\n"
     "Examples:\n"
@@ -25,7 +25,7 @@ int run_compare(const Arguments& arguments) {
   CompareThresholds allowed;
   bool json = false;
   int thread_count = 0;
-  CLI::App app(kAbout, "pentimento compare");
+  CLI::App app(kCompareAbout, "pentimento compare");
   app.add_option("a", a, "picture or state dump")->required()->type_name("");
   app.add_option("b", b, "picture or state dump")->required()->type_name("");
   app.add_option("--max", allowed.max, "largest difference allowed in each channel")

@@ -18,7 +18,7 @@
 namespace pentimento::cli {
 
 namespace {
-constexpr const char* kAbout =
+constexpr const char* kConvertAbout =
     "Make an action log of what another program recorded, or edit a log. The content tells the\n"
     "format.\n\n"
     "Examples:\n"
@@ -152,7 +152,7 @@ void add_edit_options(CLI::App& app, LogEdits& edits, EditTexts& texts,
 int run_convert(const Arguments& arguments) {
   ConvertJob job;
   bool json = false, quiet = false;
-  CLI::App app(kAbout, "pentimento convert");
+  CLI::App app(kConvertAbout, "pentimento convert");
   app.add_option("in", job.input, "a recording; `-` is standard input")->required()->type_name("");
   app.add_option("-o,--output", job.output,
                  "the log: .jsonl, .jsonl.gz or .jsonl.zst; `-` is standard output (-)")

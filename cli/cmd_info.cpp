@@ -12,7 +12,7 @@
 namespace pentimento::cli {
 
 namespace {
-constexpr const char* kAbout =
+constexpr const char* kInfoAbout =
     "Tell what a log, another program's recording, a state dump or a picture holds; of outputs\n"
     "also where they come from and the command that makes them again.\n\n"
     "Examples:\n"
@@ -24,7 +24,7 @@ int run_info(const Arguments& arguments) {
   std::string file;
   bool json = false;
   log::ReaderOptions reading;
-  CLI::App app(kAbout, "pentimento info");
+  CLI::App app(kInfoAbout, "pentimento info");
   app.add_option("file", file,
                  "log, recording, state dump (.h5), .png or .exr; `-` is a log or a recording on\n"
                  "standard input")

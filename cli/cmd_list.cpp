@@ -10,7 +10,7 @@
 namespace pentimento::cli {
 
 namespace {
-constexpr const char* kAbout =
+constexpr const char* kListAbout =
     "List what logs may name, and the recordings that can be converted.\n\n"
     "Examples:\n"
     "  pentimento list brushes\n"
@@ -21,7 +21,7 @@ constexpr const char* kAbout =
 int run_list(const Arguments& arguments) {
   std::string kind, name;
   bool json = false;
-  CLI::App app(kAbout, "pentimento list");
+  CLI::App app(kListAbout, "pentimento list");
   app.add_option("what", kind, "what to list")
       ->required()
       ->type_name("brushes|pigments|parameters|formats|limits");

@@ -16,7 +16,7 @@
 namespace pentimento::cli {
 
 namespace {
-constexpr const char* kAbout =
+constexpr const char* kRelightAbout =
     "Shade a state dump again: other light, no simulation.\n\n"
     "Examples:\n"
     "  pentimento relight state.h5 -o evening.png --light=-1,0.2,0.3\n"
@@ -51,7 +51,7 @@ Result<void> complete(RelightOptions& o) {
 
 int run_relight(const Arguments& arguments) {
   RelightOptions o;
-  CLI::App app(kAbout, "pentimento relight");
+  CLI::App app(kRelightAbout, "pentimento relight");
   app.add_option("state", o.job.state, "a state dump (.h5)")->required()->type_name("");
   app.add_option("--light-path", o.job.light_path,
                  "the lamp moves from frame to frame: orbit, or a file of points X Y Z")

@@ -23,7 +23,7 @@
 namespace pentimento::cli {
 
 namespace {
-constexpr const char* kAbout =
+constexpr const char* kRenderAbout =
     "Replay a log and write pictures and state.\n\n"
     "Examples:\n"
     "  pentimento render session.jsonl -o picture.png\n"
@@ -166,7 +166,7 @@ int run(const RenderOptions& o, ProgressPrinter& printer) {
 
 int run_render(const Arguments& arguments) {
   RenderOptions o;
-  CLI::App app(kAbout, "pentimento render");
+  CLI::App app(kRenderAbout, "pentimento render");
   add_replay_options(app, o);
   o.picture.add_to(app);
   o.film.add_to(app);

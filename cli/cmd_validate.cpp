@@ -14,7 +14,7 @@
 namespace pentimento::cli {
 
 namespace {
-constexpr const char* kAbout =
+constexpr const char* kValidateAbout =
     "Check logs against the rules of the format, and that the files they name are there.\n\n"
     "Examples:\n"
     "  pentimento validate session.jsonl\n"
@@ -36,7 +36,7 @@ int run_validate(const Arguments& arguments) {
   bool json = false;
   bool quiet = false;
   log::ReaderOptions reading;
-  CLI::App app(kAbout, "pentimento validate");
+  CLI::App app(kValidateAbout, "pentimento validate");
   app.add_option("log", files, "action logs; `-` is standard input")->required()->type_name("");
   app.add_flag("--json", json, "a JSON array with a verdict per log");
   app.add_flag("--quiet", quiet, "say nothing of logs that are right");

@@ -15,7 +15,7 @@
 namespace pentimento::cli {
 
 namespace {
-constexpr const char* kAbout =
+constexpr const char* kVerifyAbout =
     "Replay a log and compare the state after each step with what `render --hashes` recorded. "
     "Names\n"
     "the first step, event, fields and tiles that differ. Exit code 1: they differ.\n\n"
@@ -79,7 +79,7 @@ Result<void> complete(VerifyWords& o) {
 
 int run_verify(const Arguments& arguments) {
   VerifyWords o;
-  CLI::App app(kAbout, "pentimento verify");
+  CLI::App app(kVerifyAbout, "pentimento verify");
   add_options(app, o);
   o.talk.add_to(app);
   if (const std::optional<int> code = parse(app, arguments)) return *code;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <optional>
 
 #include "core/base/check.h"
@@ -13,8 +14,6 @@
 
 namespace pentimento {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 constexpr float kSteepest = 0.98f;  // sine of a normal's slope
 constexpr double kFinest = 0.4;     // pixels that are halved no more, in roughnesses
 constexpr double kCoarsest = 1;     // pixels that a lobe is still summed over
@@ -32,7 +31,9 @@ struct Sources {
   std::vector<float> weight;            // solid angle times Fresnel's share
   std::array<std::vector<float>, 3> L;  // radiance
 
-  double texel_rad() const { return std::max(2 * kPi / width, kPi / height); }
+  double texel_rad() const {
+    return std::max(2 * std::numbers::pi / width, std::numbers::pi / height);
+  }
 };
 
 Sources sources_of(const std::array<Field<float>, 3>& rgb, double index) {
@@ -40,8 +41,9 @@ Sources sources_of(const std::array<Field<float>, 3>& rgb, double index) {
   out.width = rgb[0].width();
   out.height = rgb[0].height();
   for (int row = 0; row < out.height; ++row) {
-    const double area = 2 * kPi / out.width *
-                        (std::cos(kPi * row / out.height) - std::cos(kPi * (row + 1) / out.height));
+    const double area = 2 * std::numbers::pi / out.width *
+                        (std::cos(std::numbers::pi * row / out.height) -
+                         std::cos(std::numbers::pi * (row + 1) / out.height));
     for (int column = 0; column < out.width; ++column) {
       const auto d = panorama_direction((column + 0.5) / out.width, (row + 0.5) / out.height);
       const double v_h = std::sqrt(std::max(0.0, (1 + d[2]) / 2));
@@ -149,18 +151,18 @@ struct PixelRange {
 };
 PixelRange pixels_near(const Sources& s, const std::array<double, 3>& d, double reach_rad) {
   const double down = std::acos(std::clamp(d[1], -1.0, 1.0));  // from the top
-  const double row_rad = kPi / s.height, column_rad = 2 * kPi / s.width;
+  const double row_rad = std::numbers::pi / s.height, column_rad = 2 * std::numbers::pi / s.width;
   PixelRange out{};
   out.first_row = std::max(0, static_cast<int>((down - reach_rad) / row_rad));
   const int end = std::min(s.height, static_cast<int>((down + reach_rad) / row_rad) + 1);
   out.rows = end - out.first_row;
   out.columns = s.width;
-  if (down - reach_rad <= 0 || down + reach_rad >= kPi) return out;
+  if (down - reach_rad <= 0 || down + reach_rad >= std::numbers::pi) return out;
   const double level = std::sin(reach_rad) / std::sin(down);
   if (level >= 1) return out;
   const double half = std::asin(level) / column_rad + 1;
   // The middle column is +z, and columns turn towards -x.
-  const double middle = (std::atan2(-d[0], d[2]) / (2 * kPi) + 0.5) * s.width;
+  const double middle = (std::atan2(-d[0], d[2]) / (2 * std::numbers::pi) + 0.5) * s.width;
   out.columns = std::min(s.width, static_cast<int>(2 * half) + 1);
   out.first_column = static_cast<int>(std::floor(middle - half)) % s.width;
   if (out.first_column < 0) out.first_column += s.width;
@@ -169,8 +171,8 @@ PixelRange pixels_near(const Sources& s, const std::array<double, 3>& d, double 
 
 /// Interpolates between the four nearest pixels: what a perfect mirror shows.
 std::array<float, 3> radiance(const Sources& s, const std::array<double, 3>& d) {
-  const double u = (std::atan2(-d[0], d[2]) / (2 * kPi) + 0.5) * s.width - 0.5;
-  const double v = std::acos(std::clamp(d[1], -1.0, 1.0)) / kPi * s.height - 0.5;
+  const double u = (std::atan2(-d[0], d[2]) / (2 * std::numbers::pi) + 0.5) * s.width - 0.5;
+  const double v = std::acos(std::clamp(d[1], -1.0, 1.0)) / std::numbers::pi * s.height - 0.5;
   const int x = static_cast<int>(std::floor(u)), y = static_cast<int>(std::floor(v));
   const auto a = static_cast<float>(u - x), b = static_cast<float>(v - y);
   const auto at = [&](std::size_t c, int column, int row) {

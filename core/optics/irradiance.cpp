@@ -1,17 +1,18 @@
 #include "core/optics/irradiance.h"
 
 #include <algorithm>
+#include <numbers>
 
 #include "core/base/approx.h"
 #include "core/base/check.h"
 
 namespace pentimento {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 /// What a clamped cosine does to the bands of order 0, 1 and 2.
 constexpr std::array<double, 9> kCosineLobe = {
-    kPi, 2 * kPi / 3, 2 * kPi / 3, 2 * kPi / 3, kPi / 4, kPi / 4, kPi / 4, kPi / 4, kPi / 4};
+    std::numbers::pi,         2 * std::numbers::pi / 3, 2 * std::numbers::pi / 3,
+    2 * std::numbers::pi / 3, std::numbers::pi / 4,     std::numbers::pi / 4,
+    std::numbers::pi / 4,     std::numbers::pi / 4,     std::numbers::pi / 4};
 
 std::array<float, 3> evaluate(const ShCoefficients& light, std::array<float, 3> direction,
                               const std::array<double, 9>& weight) {
@@ -51,7 +52,8 @@ std::array<float, 3> sh_radiance(const ShCoefficients& light, std::array<float, 
 }
 
 std::array<double, 3> panorama_direction(double u, double v) {
-  const double longitude = 2 * kPi * (u - 0.5), latitude = kPi * (0.5 - v);
+  const double longitude = 2 * std::numbers::pi * (u - 0.5),
+               latitude = std::numbers::pi * (0.5 - v);
   const double level = approx::cos(latitude);
   return {-level * approx::sin(longitude), approx::sin(latitude), level * approx::cos(longitude)};
 }
@@ -62,9 +64,10 @@ ShCoefficients project_panorama(const std::array<FieldView<const float>, 3>& rgb
   std::array<std::array<double, 3>, 9> sum{};
   for (int y = 0; y < height; ++y) {
     // Area of a pixel of this row on the unit sphere: the zone between its two latitudes.
-    const double top = approx::sin(kPi * (0.5 - static_cast<double>(y) / height));
-    const double bottom = approx::sin(kPi * (0.5 - static_cast<double>(y + 1) / height));
-    const double solid_angle = 2 * kPi / width * (top - bottom);
+    const double top = approx::sin(std::numbers::pi * (0.5 - static_cast<double>(y) / height));
+    const double bottom =
+        approx::sin(std::numbers::pi * (0.5 - static_cast<double>(y + 1) / height));
+    const double solid_angle = 2 * std::numbers::pi / width * (top - bottom);
     for (int x = 0; x < width; ++x) {
       const auto Y = sh_basis(panorama_direction((x + 0.5) / width, (y + 0.5) / height));
       for (std::size_t i = 0; i < 9; ++i) {

@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace pentimento {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 /// Cosines that l, v and their half vector make with the normal z and with each other.
 struct Geometry {
@@ -42,10 +41,10 @@ double facet_density(FacetDistribution kind, double n_h, double a) {
   if (n_h <= 0) return 0;
   const double c2 = n_h * n_h, a2 = a * a;
   if (kind == FacetDistribution::kBeckmann) {
-    return std::exp((c2 - 1) / (c2 * a2)) / (kPi * a2 * c2 * c2);
+    return std::exp((c2 - 1) / (c2 * a2)) / (std::numbers::pi * a2 * c2 * c2);
   }
   const double t = c2 * (a2 - 1) + 1;
-  return a2 / (kPi * t * t);
+  return a2 / (std::numbers::pi * t * t);
 }
 
 double groove_attenuation(double n_h, double n_v, double n_l, double v_h) {

@@ -8,7 +8,7 @@
 namespace pentimento {
 namespace {
 
-constexpr int kBatchRows = 128;  // handed on at once: sinks work on rows in parallel
+constexpr int kRowsAtOnce = 128;  // handed on at once: sinks work on rows in parallel
 
 /// Length that source pixel s has in output pixel i, in units of 1 / to of a source pixel.
 std::int64_t common(const AreaAxis& axis, int i, int s) {
@@ -62,7 +62,7 @@ void AreaFilter::reduce_row(const PictureStrip& strip, int row) {
     line_.assign(strip.plane.size(), std::vector<float>(columns));
     sum_ = line_;
     for (std::size_t p = 0; p < strip.plane.size(); ++p)
-      batch_.emplace_back(static_cast<int>(columns), std::min(kBatchRows, rows_));
+      batch_.emplace_back(static_cast<int>(columns), std::min(kRowsAtOnce, rows_));
   }
   for (std::size_t p = 0; p < strip.plane.size(); ++p) {
     const float* in = strip.plane[p].row(row);
@@ -104,7 +104,7 @@ Result<void> AreaFilter::finish_row(const PictureStrip& strip) {
     if (strip.name[p] == "normal.X") make_unit(batch_, p, waiting_);
   ++waiting_;
   ++done_;
-  if (waiting_ < kBatchRows && done_ < rows_) return {};
+  if (waiting_ < kRowsAtOnce && done_ < rows_) return {};
   return hand_on(strip);
 }
 

@@ -13,8 +13,8 @@ namespace pentimento {
 namespace {
 constexpr float kLampSize = 0.12f;  // tangent of half the angle that a lamp takes: a soft box
 /// Cells that are searched together: their rises stay in the nearest cache.
-constexpr std::size_t kChunk = 256;
-using CellChunk = std::array<float, kChunk>;
+constexpr std::size_t kLineChunk = 256;
+using LineChunk = std::array<float, kLineChunk>;
 
 PENTIMENTO_KERNEL
 void slopes(const float* h, std::ptrdiff_t stride, float across, float down, std::size_t n,
@@ -101,9 +101,9 @@ Beside beside(const LampLine& line, float step, std::ptrdiff_t stride) {
 
 /// The lines of a chunk of cells to a near lamp, as LampLine has them.
 struct NearLines {
-  CellChunk step_x, step_y, per_m, elevation;
-  std::array<std::int32_t, kChunk> beside;  // from the first cell beside the line to the second
-  CellChunk open;                           // 1 where nothing can hide it, else 0
+  LineChunk step_x, step_y, per_m, elevation;
+  std::array<std::int32_t, kLineChunk> beside;  // from the first cell beside the line to the second
+  LineChunk open;                               // 1 where nothing can hide it, else 0
 };
 
 /// `up_m`: distance from the row to the lamp, upwards in the picture's plane; `column`: of the
@@ -175,9 +175,9 @@ void share_of_near(const NearLines& lines, const float* rise, std::size_t n, flo
 
 void sky_seen_row(const HeightRows& rows, const HorizonLines& lines, std::span<float> seen) {
   const std::size_t steps = lines.sky.size() / kSkyDirections;
-  CellChunk right, below, rise;
-  for (std::size_t x0 = 0; x0 < seen.size(); x0 += kChunk) {
-    const std::size_t n = std::min(kChunk, seen.size() - x0);
+  LineChunk right, below, rise;
+  for (std::size_t x0 = 0; x0 < seen.size(); x0 += kLineChunk) {
+    const std::size_t n = std::min(kLineChunk, seen.size() - x0);
     const float* here = rows.cell + x0;
     float* out = seen.data() + x0;
     slopes(here, rows.stride, 0.5f / rows.dx_m, 0.5f / rows.dy_m, n, right.data(), below.data());
@@ -200,9 +200,9 @@ void lamp_seen_row(const HeightRows& rows, const HorizonLines& lines,
                    const std::array<float, 3>& direction, std::span<float> seen) {
   const LampLine line = line_to(direction, rows.dx_m, rows.dy_m);
   if (line.hidden_by_nothing) return std::fill(seen.begin(), seen.end(), 1.0f);
-  CellChunk rise;
-  for (std::size_t x0 = 0; x0 < seen.size(); x0 += kChunk) {
-    const std::size_t n = std::min(kChunk, seen.size() - x0);
+  LineChunk rise;
+  for (std::size_t x0 = 0; x0 < seen.size(); x0 += kLineChunk) {
+    const std::size_t n = std::min(kLineChunk, seen.size() - x0);
     const float* here = rows.cell + x0;
     std::fill_n(rise.data(), n, 0.0f);
     for (const float step : lines.shadow) {
@@ -218,9 +218,9 @@ void near_lamp_seen_row(const HeightRows& rows, const HorizonLines& lines, const
                         std::span<float> seen) {
   const float down = (static_cast<float>(lamp.row) + 0.5f) * rows.dy_m - lamp.half_m[1];
   NearLines near;
-  CellChunk rise;
-  for (std::size_t x0 = 0; x0 < seen.size(); x0 += kChunk) {
-    const std::size_t n = std::min(kChunk, seen.size() - x0);
+  LineChunk rise;
+  for (std::size_t x0 = 0; x0 < seen.size(); x0 += kLineChunk) {
+    const std::size_t n = std::min(kLineChunk, seen.size() - x0);
     const HeightRows here = {rows.cell + x0, rows.stride, rows.dx_m, rows.dy_m};
     aim(here, lamp, lamp.column + static_cast<int>(x0), lamp.position_m[1] + down, n, near);
     std::fill_n(rise.data(), n, 0.0f);

@@ -121,9 +121,13 @@ ColorMatrix to_xyz(ColorProfile profile) {
   return columns;
 }
 
+ColorMatrix from_xyz(ColorProfile profile) {
+  return inverse(to_xyz(profile));
+}
+
 ColorMatrix between(ColorProfile from, ColorProfile to) {
   if (from == to) return {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-  return product(inverse(to_xyz(to)), to_xyz(from));
+  return product(from_xyz(to), to_xyz(from));
 }
 
 }  // namespace pentimento

@@ -45,6 +45,8 @@ double encode_transfer(ColorProfile profile, double v);
 /// The matrix from linear RGB of `profile` to CIE XYZ, with Y = 1 for white. Its second row has the
 /// weights of luminance.
 ColorMatrix to_xyz(ColorProfile profile);
+/// The other way round.
+ColorMatrix from_xyz(ColorProfile profile);
 /// The matrix from linear RGB of `from` to that of `to`; exactly the identity if both are the same.
 ColorMatrix between(ColorProfile from, ColorProfile to);
 

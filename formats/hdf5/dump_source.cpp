@@ -14,7 +14,7 @@ namespace pentimento::hdf5 {
 namespace {
 
 constexpr int kTile = 256;  // cells a side: the writer's chunk
-constexpr std::uint32_t kSign = 0x80000000u;
+constexpr std::uint32_t kSignBit = 0x80000000u;
 
 /// HDF5 is called from one thread at a time, whichever file it is about.
 std::mutex& library() {
@@ -155,7 +155,7 @@ void DumpSource::read(PlaneId plane, int x, int y, std::span<float> out) const {
   read_run(dataset_of(plane.kind), pigment ? plane.layer * shape_.channels + plane.index : 0,
            plane.kind == PlaneKind::kReflectance ? plane.index : 0, x, y, bits);
   // Velocities point up in a dump.
-  const std::uint32_t flip = plane.kind == PlaneKind::kVelocityY ? kSign : 0;
+  const std::uint32_t flip = plane.kind == PlaneKind::kVelocityY ? kSignBit : 0;
   for (std::size_t i = 0; i < out.size(); ++i) out[i] = std::bit_cast<float>(bits[i] ^ flip);
 }
 

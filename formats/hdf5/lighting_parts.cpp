@@ -17,7 +17,6 @@ namespace {
 constexpr std::uint64_t kLampValues = 9;
 // Beyond these a picture is not finite in single precision.
 constexpr float kFarthest = 1e6f;
-constexpr float kMostLight = 1e12f;
 
 std::vector<float> row_of(const Lamp& lamp) {
   const auto [x, y, z] = lamp.position_m.value_or(lamp.direction);

@@ -11,6 +11,9 @@
 
 namespace pentimento::hdf5 {
 
+/// Light beyond this, either way, does not stay finite in single precision.
+inline constexpr float kMostLight = 1e12f;
+
 /// Writes /lighting/lamp_position and /lighting/more_lamps if a lamp has a position or there is
 /// more than one. False if HDF5 failed.
 bool write_lamps(hid_t file, const std::vector<Lamp>& lamps);

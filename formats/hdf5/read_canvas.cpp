@@ -9,6 +9,7 @@
 
 #include "core/model/model.h"
 #include "formats/hdf5/handle.h"
+#include "formats/hdf5/lighting_parts.h"
 #include "formats/hdf5/objects.h"
 #include "formats/hdf5/read_small.h"
 
@@ -21,7 +22,6 @@ using Shape = std::vector<std::uint64_t>;
 // Optical channels are 1 + 2 per band, of which a model has at most 38.
 constexpr std::uint64_t kMostBands = 64;
 constexpr std::uint64_t kMostChannels = 1 + 2 * kMostBands;
-constexpr float kMostLight = 1e12f;                             // of a picture of light, either way
 constexpr std::uint64_t kBlockValues = std::uint64_t{1} << 20;  // read at once
 
 Error bad(const std::string& path, const std::string& what) {

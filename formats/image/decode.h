@@ -13,7 +13,6 @@ Result<Image> decode_exr(const std::string& path, const ImageReadOptions& option
 /// Radiance HDR.
 Result<Image> decode_hdr(const std::string& path, const ImageReadOptions& options);
 Result<Image> decode_jpeg(const std::string& path, const ImageReadOptions& options);
-/// TIFF, through the module.
 Result<Image> decode_tiff(const std::string& path, const ImageReadOptions& options);
 
 /// Errors: kLimit for a picture beyond the limits, kBadInput for a size that is not positive.

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "formats/image/module_function.h"
-#include "formats/image/picture_module.h"
+#include "formats/image/text_module.h"
 
 namespace pentimento {
 
@@ -19,7 +19,7 @@ PentimentoText line_of(const std::string& text, const TextStyle& style) {
 
 Result<int> text_width(const std::string& text, const TextStyle& style) {
   static const auto measure = image::module_function<decltype(pentimento_measure_text)>(
-      image::kPictureModule, "pentimento_measure_text");
+      image::kTextModule, "pentimento_measure_text");
   if (!measure) return measure.error();
   const PentimentoText line = line_of(text, style);
   int width = 0, height = 0;
@@ -30,7 +30,7 @@ Result<int> text_width(const std::string& text, const TextStyle& style) {
 Result<void> draw_text(const std::string& text, const TextStyle& style, int x, int y,
                        Field<std::uint8_t>& mask) {
   static const auto draw = image::module_function<decltype(pentimento_draw_text)>(
-      image::kPictureModule, "pentimento_draw_text");
+      image::kTextModule, "pentimento_draw_text");
   if (!draw) return draw.error();
   const PentimentoText line = line_of(text, style);
   // The module takes rows without padding.

@@ -7,8 +7,6 @@
 #include <filesystem>
 #include <vector>
 
-#include "formats/image/read_image.h"
-
 namespace pentimento::image {
 
 namespace {
@@ -27,9 +25,7 @@ std::vector<std::filesystem::path> module_places(const char* module) {
 }  // namespace
 
 Result<void*> find_in_module(const char* module, const char* function) {
-  // OpenCV takes its limits and how much it talks from the environment, when it is loaded.
-  const std::string pixels = std::to_string(ImageLimits{}.max_pixels);
-  ::setenv("OPENCV_IO_MAX_IMAGE_PIXELS", pixels.c_str(), 0);
+  // OpenCV takes from the environment how much it talks, when it is loaded.
   ::setenv("OPENCV_LOG_LEVEL", "SILENT", 0);
   std::string why = "it is not installed";
   for (const std::filesystem::path& place : module_places(module)) {

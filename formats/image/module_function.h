@@ -8,7 +8,7 @@
 
 namespace pentimento::image {
 
-inline constexpr const char* kPictureModule = "pentimento_pictures.so";
+inline constexpr const char* kTextModule = "pentimento_text.so";
 inline constexpr const char* kVideoModule = "pentimento_videos.so";
 
 /// The address of `function` in `module`. Errors: kIo, with the reason.

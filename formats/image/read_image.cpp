@@ -21,7 +21,9 @@ std::string format_of(std::string_view head) {
   if (head.starts_with("\x76\x2F\x31\x01"sv)) return "exr";
   if (head.starts_with("#?"sv)) return "hdr";
   if (head.starts_with("\xFF\xD8\xFF"sv)) return "jpeg";
-  if (head.starts_with("II*\0"sv) || head.starts_with("MM\0*"sv)) return "tiff";
+  // The second pair is of files beyond 4 GB.
+  for (const std::string_view start : {"II*\0"sv, "MM\0*"sv, "II+\0"sv, "MM\0+"sv})
+    if (head.starts_with(start)) return "tiff";
   return "";
 }
 

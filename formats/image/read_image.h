@@ -1,8 +1,7 @@
 #pragma once
-// Reads pictures: PNG, OpenEXR and JPEG by their own libraries, Radiance HDR by our own code, TIFF
-// through a module that is loaded when the first such file is read. The first bytes of a file
-// decide what it is, not its name. Sizes are checked before memory is taken. A file that is damaged
-// where its format shows it is an error (of a TIFF of 8 bits not always); no library prints.
+// Reads pictures: PNG, OpenEXR, JPEG and TIFF by their own libraries, Radiance HDR by our own code.
+// The first bytes of a file decide what it is, not its name. Sizes are checked before memory is
+// taken. A file that is damaged where its format shows it is an error; no library prints.
 
 #include <array>
 #include <cstdint>

@@ -20,16 +20,16 @@
 namespace pentimento {
 
 namespace {
-constexpr std::string_view kPrefix = ".pentimento-";
-constexpr std::string_view kSuffix = ".lock";
+constexpr std::string_view kLockPrefix = ".pentimento-";
+constexpr std::string_view kLockSuffix = ".lock";
 constexpr std::size_t kNameDigits = 16;  // of the hash: 64 bits tell the names of a folder apart
 
 std::string lock_name(const std::string& target) {
   const std::string name = std::filesystem::path(target).filename().string();
   Sha256 hash;
   hash.update(name.data(), name.size());
-  return fmt::format("{}/{}{}{}", folder_of(target), kPrefix, hash.hex().substr(0, kNameDigits),
-                     kSuffix);
+  return fmt::format("{}/{}{}{}", folder_of(target), kLockPrefix, hash.hex().substr(0, kNameDigits),
+                     kLockSuffix);
 }
 
 /// Its owner may have removed the file between our opening and our locking it.
@@ -68,7 +68,7 @@ void FileLock::remove_stale(const std::string& folder) {
   std::filesystem::directory_iterator entries(folder, error);
   for (; !error && entries != std::filesystem::directory_iterator(); entries.increment(error)) {
     const std::string name = entries->path().filename().string();
-    if (!name.starts_with(kPrefix) || !name.ends_with(kSuffix)) continue;
+    if (!name.starts_with(kLockPrefix) || !name.ends_with(kLockSuffix)) continue;
     const std::string path = entries->path().string();
     const int descriptor = ::open(path.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
     if (descriptor < 0) continue;

@@ -1,6 +1,6 @@
 #pragma once
 // What passes between the programme and the module that writes videos and reads videos through
-// OpenCV: plain C, as in formats/image/picture_module.h. Frames are rows of R, G, B bytes without
+// OpenCV: plain C, as in formats/image/text_module.h. Frames are rows of R, G, B bytes without
 // padding.
 
 #ifdef __cplusplus

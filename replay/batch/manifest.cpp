@@ -19,7 +19,7 @@ namespace pentimento {
 namespace {
 using nlohmann::json;
 
-constexpr std::int64_t kMostBytes = std::int64_t{1} << 28;
+constexpr std::int64_t kMostManifestBytes = std::int64_t{1} << 28;
 constexpr std::size_t kMostIdBytes = 200;
 constexpr std::array<std::string_view, 6> kKeys = {"id",     "log",       "options",
                                                    "expect", "timeout_s", "memory_bytes"};
@@ -192,7 +192,7 @@ Result<std::vector<BatchJob>> parse_lines(const std::string& text, const std::st
 }  // namespace
 
 Result<Manifest> read_manifest(const std::string& path) {
-  Result<std::string> text = read_file(path, kMostBytes);
+  Result<std::string> text = read_file(path, kMostManifestBytes);
   if (!text) return text.error();
   Manifest manifest;
   std::error_code ignored;

@@ -13,7 +13,7 @@ namespace pentimento {
 
 namespace {
 namespace fs = std::filesystem;
-constexpr std::int64_t kMostBytes = std::int64_t{1} << 28;
+constexpr std::int64_t kMostReportBytes = std::int64_t{1} << 28;
 
 Result<void> publish_text(const std::string& path, const std::string& text) {
   Result<Published> published = publish_bytes(path, text);
@@ -68,7 +68,7 @@ std::string RunFolder::row_file(const std::string& id) const {
 
 std::optional<JobResult> RunFolder::find(const std::string& key) const {
   const std::string name = file_of(key, "result.json");
-  const Result<std::string> text = read_file(name, kMostBytes);
+  const Result<std::string> text = read_file(name, kMostReportBytes);
   if (!text) return std::nullopt;
   Result<JobResult> result = parse_result(*text, name);
   if (!result || result->key != key) return std::nullopt;
@@ -118,7 +118,7 @@ Result<void> RunFolder::write_manifest(const std::vector<BatchJob>& jobs) const 
 
 Result<std::vector<BatchJob>> RunFolder::manifest() const {
   const std::string name = path_ + "/manifest.jsonl";
-  Result<std::string> text = read_file(name, kMostBytes);
+  Result<std::string> text = read_file(name, kMostReportBytes);
   if (!text) return text.error();
   return parse_manifest(*text, name);
 }
@@ -129,7 +129,7 @@ Result<void> RunFolder::write_row(const BatchRow& row) const {
 
 std::optional<BatchRow> RunFolder::row(const std::string& id) const {
   const std::string name = row_file(id);
-  const Result<std::string> text = read_file(name, kMostBytes);
+  const Result<std::string> text = read_file(name, kMostReportBytes);
   if (!text) return std::nullopt;
   Result<BatchRow> row = parse_row(*text, name);
   if (!row || row->id != id) return std::nullopt;

@@ -16,10 +16,10 @@ namespace pentimento {
 namespace {
 namespace fs = std::filesystem;
 constexpr std::chrono::milliseconds kBetweenLooks{10};
-constexpr std::int64_t kMostBytes = std::int64_t{1} << 30;
+constexpr std::int64_t kMostOutputBytes = std::int64_t{1} << 30;
 
 std::string text_of(const std::string& path) {
-  Result<std::string> text = read_file(path, kMostBytes);
+  Result<std::string> text = read_file(path, kMostOutputBytes);
   return text ? *text : std::string();
 }
 

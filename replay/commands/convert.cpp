@@ -41,7 +41,7 @@ Result<const sketch::Format*> choose_format(const ConvertJob& job, std::string_v
                                                  job.input, fmt::join(format_names(), ", "))};
 }
 
-std::int64_t microseconds(double seconds) {
+std::int64_t whole_microseconds(double seconds) {
   return std::llround(seconds * 1e6);
 }
 
@@ -100,8 +100,8 @@ Result<log::Edits> make_edits(const LogEdits& from, const log::ReaderOptions& re
     out.gravity_sha256 = sha256_hex(*bytes);
   }
   if (from.trim_s)
-    out.trim_us = {microseconds(from.trim_s->first), microseconds(from.trim_s->second)};
-  if (from.longest_idle_s) out.longest_idle_us = microseconds(*from.longest_idle_s);
+    out.trim_us = {whole_microseconds(from.trim_s->first), whole_microseconds(from.trim_s->second)};
+  if (from.longest_idle_s) out.longest_idle_us = whole_microseconds(*from.longest_idle_s);
   out.speed = from.speed;
   out.resample_hz = from.resample_hz;
   out.canvas_m = from.canvas_m;

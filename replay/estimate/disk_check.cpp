@@ -19,7 +19,7 @@ namespace {
 constexpr double kLeastPicture = 0.1;
 // Of what is foreseen of a detail canvas: the estimate is right within a factor of 1.2.
 constexpr double kLeastScratch = 0.8;
-constexpr std::int64_t kMebibyte = 1 << 20;
+constexpr std::int64_t kBytesPerMebibyte = 1 << 20;
 
 /// Whether the output is a file beside which a temporary one will lie.
 bool is_file(const std::string& path) {
@@ -64,7 +64,7 @@ Result<void> check_disk(const std::vector<DiskUse>& uses) {
     return Error{ErrorCode::kLimit,
                  fmt::format("{}: what is written there takes {:.0f} MiB or more, and the disk has "
                              "{} MiB left; a smaller picture or another disk is needed",
-                             use.folder, bytes / kMebibyte, room / kMebibyte)};
+                             use.folder, bytes / kBytesPerMebibyte, room / kBytesPerMebibyte)};
   }
   return {};
 }

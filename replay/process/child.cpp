@@ -34,6 +34,12 @@ constexpr int kNotStarted = 127;     // as a shell says it
   if (ready) execv(spec.program.c_str(), words);
   _exit(kNotStarted);
 }
+/// Waits until nobody holds the pipe's other end any more.
+void await_end(int pipe) {
+  char byte = 0;
+  while (read(pipe, &byte, 1) < 0 && errno == EINTR) {
+  }
+}
 }  // namespace
 
 std::string_view name_of(ChildEnd end) {
@@ -62,11 +68,21 @@ Result<std::unique_ptr<Child>> Child::start(const ChildSpec& spec) {
   child->timeout_s_ = spec.timeout_s;
   child->memory_bytes_ = spec.memory_bytes;
   child->began_ = Clock::now();
+  const auto failed = [] {
+    return Error{ErrorCode::kIo, std::string("no process could be started: ") + strerror(errno)};
+  };
+  // Until the child becomes the program it is a copy of this process, whose memory must not be
+  // taken for its own: only the program closes the copy's end of this pipe.
+  int ends[2] = {-1, -1};
+  if (pipe2(ends, O_CLOEXEC) != 0) return failed();
   const int parent = getpid();
   child->pid_ = fork();
   if (child->pid_ == 0) become(spec, words.data(), parent);
-  if (child->pid_ < 0)
-    return Error{ErrorCode::kIo, std::string("no process could be started: ") + strerror(errno)};
+  const Error no_process = failed();
+  close(ends[1]);
+  if (child->pid_ > 0) await_end(ends[0]);
+  close(ends[0]);
+  if (child->pid_ < 0) return no_process;
   return child;
 }
 

@@ -12,9 +12,9 @@ namespace pentimento {
 namespace {
 constexpr float kBare = 0.02f;  // share of the fullest cell around: less is no film
 constexpr int kFits = 2;        // of the contour
-constexpr int kPasses = 3;      // of the film
+constexpr int kFilmPasses = 3;  // of the film
 constexpr int kTap = 2;         // cells on each side that the mean of a spline looks at
-constexpr int kAround = FilmSpline::kMargin + (kFits + kPasses) * kTap;
+constexpr int kAround = FilmSpline::kMargin + (kFits + kFilmPasses) * kTap;
 constexpr float kLeastProfile = 1e-3f;  // keeps a cell outside the contour from dividing by 0
 constexpr float kMost = 4;              // the film stays within a quarter and four times the depth
 // Where B(f) is more than this, no point of the cell has W below 0.99 and M is 1: even the corners
@@ -81,7 +81,8 @@ FilmSpline::FilmSpline(const Field<float>& plane, const CellBox& box)
   film_ = held;
   const std::vector<float> spread = spline_means(coverage_, width_, height_);
   const std::vector<float> profile = profile_means(held, spread);
-  for (int pass = 1; pass <= kPasses; ++pass) sharpen(held, profile, spread, (kFits + pass) * kTap);
+  for (int pass = 1; pass <= kFilmPasses; ++pass)
+    sharpen(held, profile, spread, (kFits + pass) * kTap);
 }
 
 /// One pass over the cells that are at least `margin` away from the border. `mean`: B(d).

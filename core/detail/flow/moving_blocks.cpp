@@ -8,7 +8,7 @@
 namespace pentimento {
 
 namespace {
-constexpr int kAround = kLevellingRadius;
+constexpr int kLooksAround = kLevellingRadius;
 constexpr int kLookedAt = 64;  // edges at a time
 
 /// Calls body(x0, x1) for pieces [x0, x1) of a row. The pieces hold all edges of the row that move.
@@ -24,7 +24,8 @@ void for_moving(const float* edge, int x0, int x1, const Body& body) {
 }
 
 void add_around(ChangedBlocks& blocks, int y0, int y1, int x0, int x1) {
-  for (int y = y0 - kAround; y < y1 + kAround; ++y) blocks.add(y, x0 - kAround, x1 + kAround);
+  for (int y = y0 - kLooksAround; y < y1 + kLooksAround; ++y)
+    blocks.add(y, x0 - kLooksAround, x1 + kLooksAround);
 }
 }  // namespace
 

@@ -9,26 +9,26 @@
 namespace pentimento {
 namespace {
 constexpr int kRounds = 2;
-constexpr int kReach = 2;  // of M, in cells
+constexpr int kMeanReach = 2;  // of M, in cells
 constexpr std::array<float, 5> kMean = {1 / 384.0f, 76 / 384.0f, 230 / 384.0f, 76 / 384.0f,
                                         1 / 384.0f};
 
-/// M v at a cell that has kReach cells on every side.
+/// M v at a cell that has kMeanReach cells on every side.
 float mean_of_spline(const Field<float>& v, int x, int y) {
   float sum = 0;
-  for (int j = -kReach; j <= kReach; ++j) {
+  for (int j = -kMeanReach; j <= kMeanReach; ++j) {
     const float* row = v.row(y + j) + x;
     float along = 0;
-    for (int i = -kReach; i <= kReach; ++i)
-      along += kMean[static_cast<std::size_t>(i + kReach)] * row[i];
-    sum += kMean[static_cast<std::size_t>(j + kReach)] * along;
+    for (int i = -kMeanReach; i <= kMeanReach; ++i)
+      along += kMean[static_cast<std::size_t>(i + kMeanReach)] * row[i];
+    sum += kMean[static_cast<std::size_t>(j + kMeanReach)] * along;
   }
   return sum;
 }
 }  // namespace
 
 Field<float> surface_spline(const CanvasState& guide, const CellBox& box, int factor) {
-  constexpr int kMargin = TileNeighbourhood::kMargin + kRounds * kReach;
+  constexpr int kMargin = TileNeighbourhood::kMargin + kRounds * kMeanReach;
   const int x0 = box.x0 - kMargin, y0 = box.y0 - kMargin;
   // Heights around the box; beyond the canvas the outermost cells repeat.
   Field<float> height(box.width() + 2 * kMargin, box.height() + 2 * kMargin);
@@ -40,7 +40,7 @@ Field<float> surface_spline(const CanvasState& guide, const CellBox& box, int fa
     }
   }
   Field<float> coefficient = height.clone(), next = height.clone();
-  for (int margin = kReach; margin <= kRounds * kReach; margin += kReach) {
+  for (int margin = kMeanReach; margin <= kRounds * kMeanReach; margin += kMeanReach) {
     for (int y = margin; y < height.height() - margin; ++y)
       for (int x = margin; x < height.width() - margin; ++x)
         next(x, y) = coefficient(x, y) + height(x, y) - mean_of_spline(coefficient, x, y);

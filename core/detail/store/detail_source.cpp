@@ -5,7 +5,7 @@
 namespace pentimento {
 
 namespace {
-std::size_t at(int i) {
+std::size_t index(int i) {
   return static_cast<std::size_t>(i);
 }
 
@@ -17,9 +17,9 @@ const float* plane_of(const DetailTile& tile, PlaneId plane, int channels) {
     case PlaneKind::kBase:
       return tile.base_m.data();
     case PlaneKind::kPigment:
-      return tile.pigment[at(plane.layer * channels + plane.index)].data();
+      return tile.pigment[index(plane.layer * channels + plane.index)].data();
     case PlaneKind::kReflectance:
-      return tile.reflectance.empty() ? nullptr : tile.reflectance[at(plane.index)].data();
+      return tile.reflectance.empty() ? nullptr : tile.reflectance[index(plane.index)].data();
     default:
       return nullptr;
   }
@@ -115,7 +115,7 @@ void DetailSource::read_tiles(PlaneId plane, int x, int y, std::span<float> out)
     const DetailTile* tile = canvas_.find(layout.tile_of(from / side, y / side));
     if (tile != nullptr) canvas_.mark_used(tile->tile);
     const float* data = tile == nullptr ? nullptr : plane_of(*tile, plane, channels());
-    const std::span<float> part = out.subspan(at(done), at(cells));
+    const std::span<float> part = out.subspan(index(done), index(cells));
     if (data == nullptr) {
       read_substrate(canvas_.substrate(), plane, from, y, part);
     } else {

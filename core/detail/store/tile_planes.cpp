@@ -6,7 +6,7 @@ namespace {
 constexpr int kBasePlane = 0, kDepthPlane = 1, kFirstPigmentPlane = 2;
 constexpr int kPlanesBetweenTrims = 1024;
 
-std::size_t at(int i) {
+std::size_t plane_index(int i) {
   return static_cast<std::size_t>(i);
 }
 
@@ -19,8 +19,8 @@ TilePlane& plane_of(DetailTile& tile, const DetailCanvas& canvas, int plane) {
   if (plane == kBasePlane) return tile.base_m;
   if (plane == kDepthPlane) return tile.depth_m;
   const int pigment = plane - kFirstPigmentPlane;
-  if (pigment < pigments_of(canvas)) return tile.pigment[at(pigment)];
-  return tile.reflectance[at(pigment - pigments_of(canvas))];
+  if (pigment < pigments_of(canvas)) return tile.pigment[plane_index(pigment)];
+  return tile.reflectance[plane_index(pigment - pigments_of(canvas))];
 }
 }  // namespace
 
@@ -32,7 +32,7 @@ std::vector<TilePlaneId> planes_of(const DetailCanvas& canvas, int tile) {
   if (made->depth_m) ids.push_back({tile, kDepthPlane});
   const int pigments = pigments_of(canvas);
   for (int p = 0; p < pigments; ++p)
-    if (made->pigment[at(p)]) ids.push_back({tile, kFirstPigmentPlane + p});
+    if (made->pigment[plane_index(p)]) ids.push_back({tile, kFirstPigmentPlane + p});
   for (std::size_t band = 0; band < made->reflectance.size(); ++band)
     ids.push_back({tile, kFirstPigmentPlane + pigments + static_cast<int>(band)});
   return ids;
@@ -45,9 +45,9 @@ std::span<const float> values_of(const DetailCanvas& canvas, TilePlaneId id) {
   const TilePlane& plane = id.plane == kBasePlane    ? tile->base_m
                            : id.plane == kDepthPlane ? tile->depth_m
                            : pigment < pigments_of(canvas)
-                               ? tile->pigment[at(pigment)]
-                               : tile->reflectance[at(pigment - pigments_of(canvas))];
-  const std::size_t side = at(canvas.layout().side());
+                               ? tile->pigment[plane_index(pigment)]
+                               : tile->reflectance[plane_index(pigment - pigments_of(canvas))];
+  const std::size_t side = plane_index(canvas.layout().side());
   return {plane.data(), side * side};
 }
 
@@ -56,7 +56,7 @@ std::vector<TilePlaneId> planes_in(const DetailCheckpoint& checkpoint, const Det
   const int pigments = pigments_of(canvas);
   const int columns = kCheckpointPigment + pigments;
   for (int t = 0; t < canvas.layout().tiles(); ++t) {
-    const std::uint32_t* row = checkpoint.tile.data() + at(t) * at(columns);
+    const std::uint32_t* row = checkpoint.tile.data() + plane_index(t) * plane_index(columns);
     if (row[kCheckpointMade] == 0) continue;
     ids.push_back({t, kBasePlane});
     if (row[kCheckpointDepth] != 0) ids.push_back({t, kDepthPlane});
@@ -70,12 +70,12 @@ std::vector<TilePlaneId> planes_in(const DetailCheckpoint& checkpoint, const Det
 
 Result<void> restore_tiles(DetailCanvas& canvas, const DetailCheckpoint& checkpoint,
                            const PlaneReader& read) {
-  const std::size_t side = at(canvas.layout().side());
+  const std::size_t side = plane_index(canvas.layout().side());
   int since_trim = 0;
   for (const TilePlaneId id : planes_in(checkpoint, canvas)) {
     DetailTile& tile = canvas.at(id.tile);
     if (id.plane >= kFirstPigmentPlane + pigments_of(canvas))
-      tile.reflectance.resize(at(canvas.bands()));
+      tile.reflectance.resize(plane_index(canvas.bands()));
     TilePlane& plane = plane_of(tile, canvas, id.plane);
     if (!plane && !canvas.make(plane)) return canvas.problem();
     plane.mark_used();

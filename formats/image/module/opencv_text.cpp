@@ -4,7 +4,7 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "formats/image/picture_module.h"
+#include "formats/image/text_module.h"
 
 namespace {
 constexpr int kFont = cv::FONT_HERSHEY_SIMPLEX;

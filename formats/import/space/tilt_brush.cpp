@@ -21,7 +21,7 @@
 namespace pentimento::sketch {
 
 namespace {
-constexpr std::string_view kMagic = "tilT";
+constexpr std::string_view kTiltMagic = "tilT";
 constexpr std::size_t kHeaderBytes = 16;
 /// What a painting unpacks to at most: 2.6 million points, a hundred times the largest of ours.
 constexpr std::uint64_t kMostSketchBytes = 128u << 20, kMostSceneBytes = 16u << 20;
@@ -31,7 +31,7 @@ constexpr double kLeastAspect = 0.1, kMostAspect = 10;
 /// The archive behind the header.
 Result<ZipBytes> archive_of(const Source& source) {
   ByteReader in(source.name, source.bytes);
-  if (in.bytes(kMagic.size(), "magic") != kMagic) in.fail("not a painting of Tilt Brush");
+  if (in.bytes(kTiltMagic.size(), "magic") != kTiltMagic) in.fail("not a painting of Tilt Brush");
   const int header = in.u16("size of the header"), version = in.u16("version");
   if (in.ok() && (header != static_cast<int>(kHeaderBytes) || version != 1))
     in.fail(
@@ -107,7 +107,7 @@ PictureAxes plane_of(const std::vector<SpaceStroke>& strokes,
 }  // namespace
 
 bool is_tilt_brush(std::string_view bytes) {
-  return bytes.starts_with(kMagic);
+  return bytes.starts_with(kTiltMagic);
 }
 
 Result<Sketch> read_tilt_brush(const Source& source, const ReadOptions& options) {

@@ -12,7 +12,7 @@ namespace pentimento::sketch {
 
 namespace {
 constexpr std::uint32_t kSentinel = 0xC576A5CD;
-constexpr std::size_t kStrokeBytes = 4 + 4 * 4 + 4 + 4 + 4 + 4;
+constexpr std::size_t kTiltStrokeBytes = 4 + 4 * 4 + 4 + 4 + 4 + 4;
 constexpr std::size_t kPlaceBytes = 3 * 4 + 4 * 4;  // position and orientation of a point
 constexpr double kFar_dm = 1e6, kMostWidth_dm = 1e4;
 
@@ -36,7 +36,7 @@ class TiltReader {
       in_.fail(fmt::format("version {} is not known, only 5 and 6", version));
     in_.skip(4, "reserved");
     in_.skip(in_.count("additional bytes", 1), "additional header");
-    const std::uint32_t count = in_.count("strokes", kStrokeBytes);
+    const std::uint32_t count = in_.count("strokes", kTiltStrokeBytes);
     std::vector<SpaceStroke> out;
     std::int64_t last_head_ms = -1;
     for (std::uint32_t i = 0; i < count && in_.ok(); ++i) {

@@ -6,13 +6,13 @@
 
 #include "core/base/check.h"
 #include "formats/log/stream/compress.h"
+#include "formats/log/stream/gzip_window.h"
 
 namespace pentimento::log {
 
 namespace {
 
-constexpr int kGzipWindow = 15 + 16;  // the largest window; +16: with gzip's header and checksum
-constexpr int kMemory = 8;            // zlib's default
+constexpr int kMemory = 8;  // zlib's default
 
 class GzipSink : public ByteSink {
  public:

@@ -4,12 +4,11 @@
 
 #include "core/base/check.h"
 #include "formats/log/stream/decompress.h"
+#include "formats/log/stream/gzip_window.h"
 
 namespace pentimento::log {
 
 namespace {
-
-constexpr int kGzipWindow = 15 + 16;  // the largest window; +16: with gzip's header and checksum
 
 class GzipSource : public ByteSource {
  public:

@@ -9,7 +9,7 @@ namespace {
 
 using enum ParameterKind;
 
-const SliderField kFields[] = {
+const SliderField kSliders[] = {
     {{"medium", "of max_medium", kNumber, 0, 1, {}, "half a full brush"},
      &BrushSettings::medium_frac},
     {{"pigment", "of max_pigment", kNumber, 0, 1, {}, "covers in one pass"},
@@ -31,7 +31,7 @@ const SliderField kFields[] = {
 };
 
 const SliderField* find_slider_field(std::string_view name) {
-  for (const SliderField& field : kFields) {
+  for (const SliderField& field : kSliders) {
     if (field.name == name) return &field;
   }
   return nullptr;
@@ -40,7 +40,7 @@ const SliderField* find_slider_field(std::string_view name) {
 }  // namespace
 
 std::span<const SliderField> slider_fields() {
-  return kFields;
+  return kSliders;
 }
 
 const Parameter* find_slider(std::string_view name) {
@@ -51,7 +51,7 @@ const Parameter* find_slider(std::string_view name) {
 
 std::vector<std::string_view> slider_names() {
   std::vector<std::string_view> names;
-  for (const SliderField& field : kFields) names.push_back(field.name);
+  for (const SliderField& field : kSliders) names.push_back(field.name);
   for (const ModelField& field : model_fields()) {
     if (field.while_painting) names.push_back(field.name);
   }

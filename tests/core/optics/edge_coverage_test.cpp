@@ -9,11 +9,11 @@
 namespace pentimento {
 namespace {
 
-constexpr int kSide = 12;
+constexpr int kCanvasSide = 12;
 using Depth = std::function<double(int x, int y)>;  // m, mean of a cell
 
 /// The coverage of row y of a grid without end.
-std::vector<float> coverage_of(const Depth& depth, int y, int width = kSide) {
+std::vector<float> coverage_of(const Depth& depth, int y, int width = kCanvasSide) {
   CoverageRows rows;
   for (int n = -kCoverageReach; n <= kCoverageReach; ++n)
     for (int x = -kCoverageReach; x < width + kCoverageReach; ++x)
@@ -47,7 +47,7 @@ TEST(EdgeCoverage, IsTheShareThatARampCoversOfItsLastCell) {
     // The same whichever way the film lies.
     const auto mirrored = coverage_of([&](int x, int) { return film_depth(11 - x, edge); }, 5);
     EXPECT_EQ(mirrored[5], along_x[6]);
-    for (int y = 0; y < kSide; ++y) {
+    for (int y = 0; y < kCanvasSide; ++y) {
       const auto down = coverage_of([&](int, int v) { return film_depth(v, edge); }, y);
       const auto up = coverage_of([&](int, int v) { return film_depth(11 - v, edge); }, y);
       EXPECT_EQ(down[3], along_x[static_cast<std::size_t>(y)]) << y;

@@ -18,7 +18,7 @@ Panorama views(const LightProbe& p) {
   return {p[0].view(), p[1].view(), p[2].view()};
 }
 
-LightProbe panorama(int width, int height, auto&& radiance) {
+LightProbe gloss_panorama(int width, int height, auto&& radiance) {
   LightProbe rgb;
   for (std::size_t c = 0; c < 3; ++c) {
     rgb[c] = Field<float>(width, height);
@@ -34,7 +34,7 @@ LightProbe panorama(int width, int height, auto&& radiance) {
 
 /// A room, brighter above, with a window that has sharp edges and a small lamp behind the viewer.
 LightProbe room(int width, int height) {
-  return panorama(width, height, [](const std::array<double, 3>& d, std::size_t c) {
+  return gloss_panorama(width, height, [](const std::array<double, 3>& d, std::size_t c) {
     const bool window =
         d[2] > 0 && std::abs(d[0] / d[2] + 0.6) < 0.35 && d[1] / d[2] > 0.2 && d[1] / d[2] < 0.9;
     const double lamp = std::exp(-200 * (1 - (0.48 * d[0] - 0.36 * d[1] + 0.8 * d[2])));
@@ -80,8 +80,8 @@ TEST_P(GlossOfRoughness, IsTheMeanOfTheProbeOverTheLobe) {
 }
 
 TEST_P(GlossOfRoughness, OfAWhiteRoomIsWhiteLikeThatOfItsHarmonics) {
-  const GlossTable table =
-      table_of(panorama(64, 32, [](auto, auto) { return 1; }), static_cast<float>(GetParam()));
+  const GlossTable table = table_of(gloss_panorama(64, 32, [](auto, auto) { return 1; }),
+                                    static_cast<float>(GetParam()));
   for (int j = 0; j < kSide; j += 3) {
     for (int i = 0; i < kSide; i += 3) {
       const double x = (2 * i + 1.0) / kSide - 1, y = (2 * j + 1.0) / kSide - 1;
@@ -95,7 +95,7 @@ TEST_P(GlossOfRoughness, OfAWhiteRoomIsWhiteLikeThatOfItsHarmonics) {
 TEST(GlossTable, AWindowIsSeenInItsPlaceInAMirror) {
   // One bright pixel at the upper left before the canvas, seen by the normal half way to the
   // viewer.
-  LightProbe probe = panorama(128, 64, [](auto, auto) { return 0; });
+  LightProbe probe = gloss_panorama(128, 64, [](auto, auto) { return 0; });
   for (Field<float>& plane : probe) plane(50, 22) = 1;
   const auto d = panorama_direction(50.5 / 128, 22.5 / 64);
   const double size = std::sqrt(d[0] * d[0] + d[1] * d[1] + (1 + d[2]) * (1 + d[2]));
@@ -137,7 +137,7 @@ TEST(GlossTable, IsTheSameForAnyThreads) {
 
 TEST(GlossTable, TakesPanoramasOfAnySize) {
   for (const auto& [w, h] : {std::pair{1, 1}, std::pair{7, 3}, std::pair{30, 50}}) {
-    const GlossTable table = table_of(panorama(w, h, [](auto, auto) { return 2; }), 0.3f);
+    const GlossTable table = table_of(gloss_panorama(w, h, [](auto, auto) { return 2; }), 0.3f);
     EXPECT_NEAR(texel(table, 7, 32, 32)[2], 2, 1e-5f);
   }
 }

@@ -3,11 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 namespace pentimento {
 namespace {
-
-constexpr float kPi = 3.14159265358979f;
 
 // Ramamoorthi and Hanrahan's light probes, as published with their programs.
 constexpr ShCoefficients kGrace{{{{.78908f, .43710f, .54161f},
@@ -63,7 +62,7 @@ TEST(ShIrradiance, OfADirectionalLightMeetsReferenceValuesAndIsNeverNegative) {
   const double cases[][2] = {{0, 1.0625},  {30, .878325}, {60, .4609375},
                              {90, .09375}, {120, 0},      {180, .0625}};  // 120: -.039 unclamped
   for (const auto& [degrees, expected] : cases) {
-    const double angle = degrees * static_cast<double>(kPi) / 180;
+    const double angle = degrees * static_cast<double>(std::numbers::pi_v<float>) / 180;
     const auto E = sh_irradiance(
         light, {0, static_cast<float>(std::sin(angle)), static_cast<float>(std::cos(angle))});
     EXPECT_NEAR(E[0], expected, 1e-6) << degrees;  // six digits
@@ -73,14 +72,18 @@ TEST(ShIrradiance, OfADirectionalLightMeetsReferenceValuesAndIsNeverNegative) {
 TEST(ShIrradiance, OfUniformRadianceIsPi) {
   ShCoefficients light;
   light.L[0] = {3.5449077f, 3.5449077f, 3.5449077f};
-  expect_rgb(sh_irradiance(light, {.6f, 0, .8f}), {kPi, kPi, kPi}, 1e-6f);
+  expect_rgb(sh_irradiance(light, {.6f, 0, .8f}),
+             {std::numbers::pi_v<float>, std::numbers::pi_v<float>, std::numbers::pi_v<float>},
+             1e-6f);
 }
 
 TEST(ShIrradiance, OfAHemisphereOfLightIsPiOnItsAxis) {
   ShCoefficients light;
   light.L[0].fill(1.7724539f);
   light.L[2].fill(1.5349901f);
-  expect_rgb(sh_irradiance(light, {0, 0, 1}), {kPi, kPi, kPi}, 1e-6f);
+  expect_rgb(sh_irradiance(light, {0, 0, 1}),
+             {std::numbers::pi_v<float>, std::numbers::pi_v<float>, std::numbers::pi_v<float>},
+             1e-6f);
 }
 
 std::array<Field<float>, 3> panorama(int width, int height, auto&& radiance) {
@@ -136,9 +139,9 @@ double brute_force(const Field<float>& plane, std::array<double, 3> n) {
   const int w = plane.width(), h = plane.height();
   double sum = 0;
   for (int y = 0; y < h; ++y) {
-    const double area = 2 * static_cast<double>(kPi) / w *
-                        (std::cos(static_cast<double>(kPi) * y / h) -
-                         std::cos(static_cast<double>(kPi) * (y + 1) / h));
+    const double area = 2 * static_cast<double>(std::numbers::pi_v<float>) / w *
+                        (std::cos(static_cast<double>(std::numbers::pi_v<float>) * y / h) -
+                         std::cos(static_cast<double>(std::numbers::pi_v<float>) * (y + 1) / h));
     for (int x = 0; x < w; ++x) {
       const auto d = panorama_direction((x + 0.5) / w, (y + 0.5) / h);
       const double cosine = d[0] * n[0] + d[1] * n[1] + d[2] * n[2];

@@ -3,14 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 namespace pentimento {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kN = 1.48;  // linseed oil
 double radians(double degrees) {
-  return degrees * kPi / 180;
+  return degrees * std::numbers::pi / 180;
 }
 std::array<double, 3> direction(double theta, double phi = 0) {
   return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
@@ -33,13 +32,13 @@ TEST(Fresnel, ExactAndSchlickMeetReferenceValues) {
 double integral(int steps, auto&& value) {
   double sum = 0;
   for (int i = 0; i < steps; ++i) {
-    const double theta = (i + 0.5) / steps * kPi / 2;
+    const double theta = (i + 0.5) / steps * std::numbers::pi / 2;
     for (int j = 0; j < steps; ++j) {
-      const double phi = (j + 0.5) / steps * kPi;  // even in phi: half the turn, twice
+      const double phi = (j + 0.5) / steps * std::numbers::pi;  // even in phi: half the turn, twice
       sum += value(theta, phi) * std::sin(theta);
     }
   }
-  return 2 * sum * (kPi / 2 / steps) * (kPi / steps);
+  return 2 * sum * (std::numbers::pi / 2 / steps) * (std::numbers::pi / steps);
 }
 
 TEST(FacetDensity, IsNormalised) {
@@ -48,10 +47,11 @@ TEST(FacetDensity, IsNormalised) {
       double sum = 0;
       constexpr int kSteps = 20000;
       for (int i = 0; i < kSteps; ++i) {
-        const double theta = (i + 0.5) / kSteps * kPi / 2;
+        const double theta = (i + 0.5) / kSteps * std::numbers::pi / 2;
         sum += facet_density(kind, std::cos(theta), a) * std::cos(theta) * std::sin(theta);
       }
-      EXPECT_NEAR(sum * 2 * kPi * kPi / 2 / kSteps, 1, 1e-6) << a;  // midpoint rule
+      EXPECT_NEAR(sum * 2 * std::numbers::pi * std::numbers::pi / 2 / kSteps, 1, 1e-6)
+          << a;  // midpoint rule
     }
   }
 }

@@ -38,7 +38,7 @@ struct Scene {
   }
 };
 
-ShadeRequest request(int width, int height, std::vector<std::string> aovs = {}) {
+ShadeRequest request_of(int width, int height, std::vector<std::string> aovs = {}) {
   ShadeRequest r;
   r.width = width;
   r.height = height;
@@ -83,21 +83,21 @@ constexpr double kTwin = 0.1 / 255;
 TEST(Shader, EqualsItsTwinAtTheGridsSize) {
   const auto shader = open();
   const Scene scene;
-  EXPECT_LT(difference_to_reference(scene, scene.shade(*shader, request(64, 48, kAllAovs)), 48),
+  EXPECT_LT(difference_to_reference(scene, scene.shade(*shader, request_of(64, 48, kAllAovs)), 48),
             kTwin);
 }
 
 TEST(Shader, EqualsItsTwinEnlarged) {
   const auto shader = open();
   const Scene scene(32, 24);
-  EXPECT_LT(difference_to_reference(scene, scene.shade(*shader, request(80, 60, kAllAovs)), 60),
+  EXPECT_LT(difference_to_reference(scene, scene.shade(*shader, request_of(80, 60, kAllAovs)), 60),
             kTwin);
 }
 
 TEST(Shader, EqualsItsTwinReduced) {
   const auto shader = open();
   const Scene scene(100, 75);
-  EXPECT_LT(difference_to_reference(scene, scene.shade(*shader, request(40, 30, kAllAovs)), 30),
+  EXPECT_LT(difference_to_reference(scene, scene.shade(*shader, request_of(40, 30, kAllAovs)), 30),
             kTwin);
 }
 
@@ -134,8 +134,9 @@ Scene random_scene(std::uint32_t seed) {
 TEST(Shader, EqualsItsTwinOnNoise) {
   const auto shader = open();
   const Scene few = random_scene(1), many = random_scene(6);  // 2 and 1 layers, 3 and 8 pigments
-  EXPECT_LT(difference_to_reference(few, few.shade(*shader, request(53, 47, kAllAovs)), 47), kTwin);
-  EXPECT_LT(difference_to_reference(many, many.shade(*shader, request(40, 30, kAllAovs)), 30),
+  EXPECT_LT(difference_to_reference(few, few.shade(*shader, request_of(53, 47, kAllAovs)), 47),
+            kTwin);
+  EXPECT_LT(difference_to_reference(many, many.shade(*shader, request_of(40, 30, kAllAovs)), 30),
             kTwin);
 }
 
@@ -154,7 +155,7 @@ TEST(Shader, EqualsItsTwinByDepthWithCameraAndExposure) {
     }
   }
   // Texture filters keep 8 bits of the fraction between texels: 1/256 of a reflection of 4 %.
-  EXPECT_LT(difference_to_reference(scene, scene.shade(*shader, request(64, 48, kAllAovs)), 48),
+  EXPECT_LT(difference_to_reference(scene, scene.shade(*shader, request_of(64, 48, kAllAovs)), 48),
             1 / 255.0);
 }
 
@@ -176,7 +177,7 @@ TEST(Shader, EqualsItsTwinInTheLightOfAProbe) {
   scene.lighting.probe = striped_probe();
   // The table: normals 3.6 degrees of mirrored direction apart, halves of the probe, and 8 bits of
   // the fraction between texels; 2 % of a reflection of 4 % of light up to 3.
-  EXPECT_LT(difference_to_reference(scene, scene.shade(*shader, request(16, 12, kAllAovs)), 12),
+  EXPECT_LT(difference_to_reference(scene, scene.shade(*shader, request_of(16, 12, kAllAovs)), 12),
             0.02 * 0.04 * 3);
 }
 
@@ -202,10 +203,10 @@ Scene fully_lit_scene(int width, int height) {
 TEST(Shader, EqualsItsTwinWithSeveralLampsAndVarnish) {
   const auto shader = open();
   const Scene scene = fully_lit_scene(64, 48), enlarged = fully_lit_scene(40, 30);
-  EXPECT_LT(difference_to_reference(scene, scene.shade(*shader, request(64, 48, kAllAovs)), 48),
+  EXPECT_LT(difference_to_reference(scene, scene.shade(*shader, request_of(64, 48, kAllAovs)), 48),
             kTwin);
   EXPECT_LT(
-      difference_to_reference(enlarged, enlarged.shade(*shader, request(70, 50, kAllAovs)), 50),
+      difference_to_reference(enlarged, enlarged.shade(*shader, request_of(70, 50, kAllAovs)), 50),
       kTwin);
 }
 
@@ -214,7 +215,7 @@ TEST(Shader, TilesAreSeamlessWithShadowsAndNearLamps) {
   Scene scene = fully_lit_scene(300, 225);
   scene.lighting.probe = striped_probe();
   for (const int width : {100, 300, 470}) {
-    ShadeRequest one = request(width, width * 3 / 4, kAllAovs), many = one;
+    ShadeRequest one = request_of(width, width * 3 / 4, kAllAovs), many = one;
     many.tile = 37;
     EXPECT_EQ(scene.shade(*shader, one).planes, scene.shade(*shader, many).planes) << width;
   }
@@ -229,9 +230,9 @@ TEST(Shader, ARidgeShadesWhatLiesBehindIt) {
   }
   scene.lighting.environment = {};
   scene.lighting.lamps[0].direction = {-0.8f, 0, 0.6f};  // 2 mm high: the shadow is 2.7 mm long
-  const WholePicture shaded = scene.shade(*shader, request(60, 20));
+  const WholePicture shaded = scene.shade(*shader, request_of(60, 20));
   scene.lighting.occlusion = 0;
-  const WholePicture open_sky = scene.shade(*shader, request(60, 20));
+  const WholePicture open_sky = scene.shade(*shader, request_of(60, 20));
   EXPECT_LT(shaded.at("G", 33, 10), 0.2f * open_sky.at("G", 33, 10));
   EXPECT_EQ(shaded.at("G", 45, 10), open_sky.at("G", 45, 10));
   EXPECT_EQ(shaded.at("G", 20, 10), open_sky.at("G", 20, 10));
@@ -244,9 +245,9 @@ TEST(Shader, OnAPlaneNothingIsHiddenHoweverItLeans) {
   for (int y = 0; y < 40; ++y) {
     for (int x = 0; x < 40; ++x) scene.state.base_m(x, y) = 0.0003f * static_cast<float>(x);
   }
-  const WholePicture hidden = scene.shade(*shader, request(40, 40));
+  const WholePicture hidden = scene.shade(*shader, request_of(40, 40));
   scene.lighting.occlusion = 0;
-  const WholePicture open_sky = scene.shade(*shader, request(40, 40));
+  const WholePicture open_sky = scene.shade(*shader, request_of(40, 40));
   // Heights of a centimetre in floats: slopes are exact to 1e-6.
   EXPECT_NEAR(hidden.at("G", 20, 20), open_sky.at("G", 20, 20), 1e-5f);
 }
@@ -266,7 +267,7 @@ TEST(Shader, WetPaintGleamsAndDryPaintIsDullUntilItIsVarnished) {
     }
     scene.lighting.lamps[0].direction = {-0.768f, 0, 0.64f};  // across the ridge
     scene.lighting.varnish = varnish;
-    const WholePicture p = scene.shade(*shader, request(60, 60, {"specular"}));
+    const WholePicture p = scene.shade(*shader, request_of(60, 60, {"specular"}));
     float most = 0;
     for (const float v : p.planes.at("specular.G")) most = std::max(most, v);
     return most;
@@ -279,7 +280,7 @@ TEST(Shader, WetPaintGleamsAndDryPaintIsDullUntilItIsVarnished) {
 TEST(Shader, LightAovsSumToThePicture) {
   const auto shader = open();
   const Scene scene;
-  const WholePicture p = scene.shade(*shader, request(64, 48, kAllAovs));
+  const WholePicture p = scene.shade(*shader, request_of(64, 48, kAllAovs));
   for (int y = 0; y < 48; ++y) {
     for (int x = 0; x < 64; ++x) {
       const float sum =
@@ -292,7 +293,7 @@ TEST(Shader, LightAovsSumToThePicture) {
 TEST(Shader, PigmentAovIsTheSumOverLayers) {
   const auto shader = open();
   const Scene scene;
-  const WholePicture p = scene.shade(*shader, request(64, 48, {"pigment"}));
+  const WholePicture p = scene.shade(*shader, request_of(64, 48, {"pigment"}));
   for (int y = 0; y < 48; ++y) {
     for (int x = 0; x < 64; ++x) {
       EXPECT_FLOAT_EQ(p.at("pigment.Cadmium Red", x, y),
@@ -304,7 +305,7 @@ TEST(Shader, PigmentAovIsTheSumOverLayers) {
 TEST(Shader, TilesAreSeamlessToTheBit) {
   const auto shader = open();
   const Scene scene(320, 192);
-  ShadeRequest one = request(5000, 3000), many = one;
+  ShadeRequest one = request_of(5000, 3000), many = one;
   one.tile = 8192;
   many.tile = 512;
   const WholePicture whole = scene.shade(*shader, one), tiled = scene.shade(*shader, many);
@@ -317,7 +318,7 @@ TEST(Shader, TilesAreSeamlessToTheBit) {
 TEST(Shader, TilesOfEveryAovAreSeamlessAlsoWhenReduced) {
   const auto shader = open();
   const Scene scene(200, 150);
-  ShadeRequest one = request(67, 50, kAllAovs), many = one;
+  ShadeRequest one = request_of(67, 50, kAllAovs), many = one;
   many.tile = 13;
   EXPECT_EQ(scene.shade(*shader, one).planes, scene.shade(*shader, many).planes);
 }
@@ -325,8 +326,8 @@ TEST(Shader, TilesOfEveryAovAreSeamlessAlsoWhenReduced) {
 TEST(Shader, ACropIsThePartOfTheWhole) {
   const auto shader = open();
   const Scene scene;
-  const WholePicture whole = scene.shade(*shader, request(200, 150));
-  ShadeRequest crop = request(200, 150);
+  const WholePicture whole = scene.shade(*shader, request_of(200, 150));
+  ShadeRequest crop = request_of(200, 150);
   crop.crop_x = 61;
   crop.crop_y = 33;
   crop.crop_width = 50;
@@ -343,7 +344,7 @@ TEST(Shader, ACropIsThePartOfTheWhole) {
 TEST(Shader, ShadesStatesWiderThanAnyTexture) {
   const auto shader = open();
   Scene wide(20000, 3);
-  ShadeRequest r = request(20000, 3);
+  ShadeRequest r = request_of(20000, 3);
   r.tile = 4000;
   const WholePicture picture = wide.shade(*shader, r);
   const ShadingReference twin(wide.state, wide.basis, wide.model, wide.lighting, 20000, 3);
@@ -362,7 +363,7 @@ TEST(Shader, StripsComeInOrderAndAFailingSinkEndsIt) {
   };
   const auto shader = open();
   const Scene scene;
-  ShadeRequest r = request(64, 48);
+  ShadeRequest r = request_of(64, 48);
   r.tile = 10;
   const WholePicture p = scene.shade(*shader, r);
   EXPECT_TRUE(p.in_order);
@@ -382,8 +383,8 @@ TEST(Shader, PaletteAndOpticalChannelsGiveTheSamePicture) {
   Scene optical;
   optical.basis = optical_channels(painted::palette());
   optical.state = painted::scene(optical.basis, 64, 48);
-  const WholePicture a = palette.shade(*shader, request(90, 70));
-  const WholePicture b = optical.shade(*shader, request(90, 70));
+  const WholePicture a = palette.shade(*shader, request_of(90, 70));
+  const WholePicture b = optical.shade(*shader, request_of(90, 70));
   for (const char* plane : {"R", "G", "B"}) {
     for (int y = 0; y < 70; ++y) {
       // 1e-5: sums of K and S in another order, a few float roundings.
@@ -395,8 +396,8 @@ TEST(Shader, PaletteAndOpticalChannelsGiveTheSamePicture) {
 TEST(Shader, AReducedPictureIsTheAreaMeanOfTheFullOne) {
   const auto shader = open();
   const Scene scene;
-  const WholePicture full = scene.shade(*shader, request(64, 48));
-  const WholePicture half = scene.shade(*shader, request(32, 24));
+  const WholePicture full = scene.shade(*shader, request_of(64, 48));
+  const WholePicture half = scene.shade(*shader, request_of(32, 24));
   for (int y = 0; y < 24; ++y) {
     for (int x = 0; x < 32; ++x) {
       const float mean = (full.at("B", 2 * x, 2 * y) + full.at("B", 2 * x + 1, 2 * y) +
@@ -423,7 +424,7 @@ TEST(Shader, NormalsArePhysicalWhateverTheGridAndThePicture) {
     }
     const float length = std::sqrt(1 + 0.25f + 0.0625f);
     for (const int pixels : {cells, 50, 9}) {
-      const WholePicture p = scene.shade(*shader, request(pixels, pixels, {"normal"}));
+      const WholePicture p = scene.shade(*shader, request_of(pixels, pixels, {"normal"}));
       const int middle = pixels / 2;
       EXPECT_NEAR(p.at("normal.X", middle, middle), -0.5f / length, 1e-4f);  // float of slopes
       EXPECT_NEAR(p.at("normal.Y", middle, middle), 0.25f / length, 1e-4f);  // y up: faces the top
@@ -439,7 +440,7 @@ TEST(Shader, AWhiteFurnaceSendsBackNoMoreThanItGets) {
   scene.lighting.lamps[0].intensity = 0;
   scene.lighting.environment = {};
   scene.lighting.environment.L[0].fill(3.5449077f);  // radiance 1 all around
-  const WholePicture p = scene.shade(*shader, request(64, 48));
+  const WholePicture p = scene.shade(*shader, request_of(64, 48));
   for (const char* plane : {"R", "G", "B"}) {
     for (const float v : p.planes.at(plane)) EXPECT_LE(v, 1 + 1e-5f);
   }
@@ -450,7 +451,7 @@ TEST(Shader, BareLinenIsLinenWhiteUnderTheDefaultLight) {
   const auto shader = open();
   Scene scene;
   scene.state = make_canvas_state({32, 24, 0.25, 0.19}, 2, 4, 3, 0.9f);
-  const WholePicture p = scene.shade(*shader, request(32, 24));
+  const WholePicture p = scene.shade(*shader, request_of(32, 24));
   for (const char* plane : {"R", "G", "B"}) {
     const float linear = p.at(plane, 16, 12);
     const float srgb = 1.055f * std::pow(linear, 1 / 2.4f) - 0.055f;
@@ -474,7 +475,7 @@ TEST(Shader, TheCameraSeesTheViewersRightInItsLeftHalf) {
       for (int x = 0; x < 4; ++x) scene.lighting.reflection.rgb[0](x, y) = 1;  // left half red
     }
     scene.lighting.reflection.mirror = mirror;
-    const WholePicture p = scene.shade(*shader, request(32, 32, {"reflection"}));
+    const WholePicture p = scene.shade(*shader, request_of(32, 32, {"reflection"}));
     EXPECT_EQ(p.at("reflection.R", 16, 16) > 0, mirror);
   }
 }
@@ -486,8 +487,8 @@ TEST(Shader, EglGivesTheSameBitsAsOsmesa) {
   const auto osmesa = Shader::open(GlBackend::kOsmesa, 2);
   if (!osmesa) GTEST_SKIP() << osmesa.error().message;
   const Scene scene;
-  EXPECT_EQ(scene.shade(**osmesa, request(150, 110, kAllAovs)).planes,
-            scene.shade(*egl, request(150, 110, kAllAovs)).planes);
+  EXPECT_EQ(scene.shade(**osmesa, request_of(150, 110, kAllAovs)).planes,
+            scene.shade(*egl, request_of(150, 110, kAllAovs)).planes);
 }
 
 TEST(Shader, SaysWhatItRunsOn) {
@@ -500,7 +501,7 @@ TEST(Shader, ShadesUnpaintedCanvasWithoutPigments) {
   scene.basis = ChannelBasis{};
   scene.basis.K = scene.basis.S = Eigen::MatrixXd(3, 0);
   scene.state = make_canvas_state({8, 8, 0.1, 0.1}, 1, 0, 3, 0.9f);
-  EXPECT_GT(scene.shade(*shader, request(8, 8)).at("G", 4, 4), 0.5f);
+  EXPECT_GT(scene.shade(*shader, request_of(8, 8)).at("G", 4, 4), 0.5f);
 }
 
 TEST(Shader, RefusesWhatItCannotShade) {
@@ -512,14 +513,14 @@ TEST(Shader, RefusesWhatItCannotShade) {
         shader->shade(StateSource(scene.state), scene.basis, scene.model, scene.lighting, r, {&p});
     return done ? std::string() : done.error().message;
   };
-  ShadeRequest outside = request(64, 48);
+  ShadeRequest outside = request_of(64, 48);
   outside.crop_x = 60;
   outside.crop_width = 5;
   outside.crop_height = 5;
   EXPECT_EQ(error(outside), "the crop lies outside the picture");
-  EXPECT_NE(error(request(64, 48, {"shine"})).find("unknown AOV 'shine'"), std::string::npos);
+  EXPECT_NE(error(request_of(64, 48, {"shine"})).find("unknown AOV 'shine'"), std::string::npos);
   scene.state.bands = 8;
-  EXPECT_NE(error(request(64, 48)).find("three bands"), std::string::npos);
+  EXPECT_NE(error(request_of(64, 48)).find("three bands"), std::string::npos);
 }
 
 TEST(AovChannels, AreNamedAsTheDocumentationSays) {

@@ -111,7 +111,7 @@ TEST(Rehearse, TheChildEndsWithItsParent) {
   waitpid(parent, nullptr, 0);
   // Both had the writing end: the pipe ends when neither lives.
   char byte = 0;
-  EXPECT_EQ(read(ends[0], &byte, 1), 0);
+  EXPECT_EQ(::read(ends[0], &byte, 1), 0);
   close(ends[0]);
 }
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "formats/image/module_function.h"
-#include "formats/image/picture_module.h"
 #include "formats/image/read_image.h"
+#include "tests/formats/image/opencv/opencv_reader.h"
 
 namespace pentimento::test {
 
@@ -25,7 +25,7 @@ struct OpenCvPicture {
 /// An empty picture if OpenCV does not read it.
 inline OpenCvPicture by_opencv(const std::string& path) {
   const auto read = image::module_function<decltype(pentimento_read_picture)>(
-      image::kPictureModule, "pentimento_read_picture");
+      "pentimento_opencv_reader.so", "pentimento_read_picture");
   OpenCvPicture picture;
   if (!read) return picture;
   const auto size = [](void* owner, int width, int height, int channels, int, int) {

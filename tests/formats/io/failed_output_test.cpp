@@ -2,38 +2,19 @@
 // left behind; for each format.
 
 #include <gtest/gtest.h>
-#include <sys/resource.h>
-
-#include <csignal>
 
 #include "formats/exr/exr_writer.h"
 #include "formats/hdf5/state_dump.h"
 #include "formats/png/png_writer.h"
 #include "tests/formats/hdf5/made_up_dump.h"
+#include "tests/formats/io/small_files.h"
 #include "tests/formats/scratch.h"
 
 namespace pentimento {
 namespace {
 
 using test::Scratch;
-
-/// Lets no file grow beyond `bytes` while it lives; the kernel answers EFBIG instead of a signal.
-class SmallFiles {
- public:
-  explicit SmallFiles(rlim_t bytes) : old_handler_(std::signal(SIGXFSZ, SIG_IGN)) {
-    ::getrlimit(RLIMIT_FSIZE, &old_);
-    const rlimit small = {bytes, old_.rlim_max};
-    ::setrlimit(RLIMIT_FSIZE, &small);
-  }
-  ~SmallFiles() {
-    ::setrlimit(RLIMIT_FSIZE, &old_);
-    std::signal(SIGXFSZ, old_handler_);
-  }
-
- private:
-  rlimit old_ = {};
-  void (*old_handler_)(int);
-};
+using test::SmallFiles;
 
 const std::vector<std::string> kRgb = {"R", "G", "B"};
 

@@ -1,13 +1,12 @@
 #include "formats/io/output_file.h"
 
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 
 #include <cerrno>
-#include <csignal>
 
 #include "formats/io/publish.h"
 #include "tests/formats/faulty_disk.h"
+#include "tests/formats/io/small_files.h"
 #include "tests/formats/scratch.h"
 
 namespace pentimento {
@@ -15,6 +14,7 @@ namespace {
 
 using test::Scratch;
 using test::slurp;
+using test::SmallFiles;
 using test::spill;
 
 TEST(OutputFile, IsOnTheDiskBeforeItHasItsNameAndThenTheNameIsToo) {
@@ -168,24 +168,6 @@ TEST(OutputFile, AFullDeviceIsAnError) {
   ASSERT_FALSE(published);
   EXPECT_EQ(published.error().message, "/dev/full: No space left on device");
 }
-
-/// Lets no file grow beyond `bytes` while it lives; the kernel answers EFBIG instead of a signal.
-class SmallFiles {
- public:
-  explicit SmallFiles(rlim_t bytes) : old_handler_(std::signal(SIGXFSZ, SIG_IGN)) {
-    ::getrlimit(RLIMIT_FSIZE, &old_);
-    const rlimit small = {bytes, old_.rlim_max};
-    ::setrlimit(RLIMIT_FSIZE, &small);
-  }
-  ~SmallFiles() {
-    ::setrlimit(RLIMIT_FSIZE, &old_);
-    std::signal(SIGXFSZ, old_handler_);
-  }
-
- private:
-  rlimit old_ = {};
-  void (*old_handler_)(int);
-};
 
 TEST(OutputFile, TheFirstFailedWriteSticks) {
   const Scratch scratch;

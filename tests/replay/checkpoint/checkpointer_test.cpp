@@ -12,6 +12,7 @@
 #include "tests/replay/checkpoint/interrupted_job.h"
 #include "tests/replay/checkpoint/two_slots.h"
 #include "tests/replay/small_job.h"
+#include "tests/sanitized.h"
 
 namespace pentimento {
 namespace {
@@ -27,16 +28,16 @@ using test::survive;
 using test::Survived;
 using test::TwoSlots;
 
-/// Heavy mode: saved and brought back after every step.
+/// Heavy mode: saved and brought back after every step (with sanitizers after some).
 void expect_heavy_mode_changes_nothing(const std::string& log, RenderJob job,
                                        const JobFolder& folder) {
   folder.write("a.jsonl", log);
   const std::string plain = comparable(rendered(job));
   std::vector<std::string> files;
   for (const std::string& output : job.picture.outputs) files.push_back(test::slurp(output));
-  const Survived survived = survive(checkpointed(job, folder), 1);
+  const Survived survived = survive(checkpointed(job, folder), test::kStride);
   ASSERT_TRUE(survived.report) << survived.report.error().message;
-  EXPECT_GT(survived.interruptions, 12);  // idle steps are skipped
+  EXPECT_GT(survived.interruptions, 12 / test::kStride);  // idle steps are skipped
   EXPECT_EQ(comparable(*survived.report), plain);
   for (std::size_t i = 0; i < files.size(); ++i)
     EXPECT_EQ(test::slurp(job.picture.outputs[i]) == files[i], true) << job.picture.outputs[i];
@@ -79,7 +80,7 @@ TEST(Checkpointer, SoAreSeveralStopsThatSettleAndAScratchFile) {
     files.push_back(test::slurp(folder.path(name)));
     std::filesystem::remove(folder.path(name));
   }
-  const Survived survived = survive(checkpointed(stops, folder), 1);
+  const Survived survived = survive(checkpointed(stops, folder), test::kStride);
   ASSERT_TRUE(survived.report) << survived.report.error().message;
   EXPECT_EQ(comparable(*survived.report), plain);
   std::size_t i = 0;
@@ -110,9 +111,9 @@ TEST(Checkpointer, SoIsAFilm) {
   const std::string plain = comparable(rendered(job));
   const std::string film = test::slurp(folder.path("film.avi"));
   const std::string frame = test::slurp(folder.path("frame-04.png"));
-  const Survived survived = survive(checkpointed(job, folder), 2);
+  const Survived survived = survive(checkpointed(job, folder), 2 * test::kStride);
   ASSERT_TRUE(survived.report) << survived.report.error().message;
-  EXPECT_GT(survived.interruptions, 15);
+  EXPECT_GT(survived.interruptions, 15 / test::kStride);
   EXPECT_EQ(comparable(*survived.report), plain);
   EXPECT_TRUE(test::slurp(folder.path("film.avi")) == film);
   EXPECT_TRUE(test::slurp(folder.path("frame-04.png")) == frame);

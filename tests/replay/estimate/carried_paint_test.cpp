@@ -5,7 +5,7 @@
 namespace pentimento {
 namespace {
 
-constexpr std::uint32_t kBlue = 1, kRed = 2;
+constexpr std::uint32_t kBlueSet = 1, kRedSet = 2;
 
 /// A stamp upon cells that all have the channels in `mask`, ten under each band.
 CarriedPaint::Contact upon(std::uint32_t mask) {
@@ -17,15 +17,15 @@ CarriedPaint::Contact upon(std::uint32_t mask) {
 
 TEST(CarriedPaint, ABandLaysWhatItWasDippedInto) {
   CarriedPaint paint;
-  paint.dip(kBlue, kAllRows);
-  paint.dip(kRed, rows_across(0.5f, 1));
+  paint.dip(kBlueSet, kAllRows);
+  paint.dip(kRedSet, rows_across(0.5f, 1));
   for (int band = 0; band < CarriedPaint::kBands; ++band) {
-    EXPECT_EQ(paint.deposited(band), band < CarriedPaint::kBands / 2 ? kBlue : kRed) << band;
+    EXPECT_EQ(paint.deposited(band), band < CarriedPaint::kBands / 2 ? kBlueSet : kRedSet) << band;
     EXPECT_EQ(paint.loaded(band), paint.deposited(band));
   }
-  paint.dip(kBlue, rows_across(0.5f, 0.5f));  // a row of the reservoir at least
-  EXPECT_EQ(paint.deposited(CarriedPaint::kBands / 2), kBlue);
-  EXPECT_EQ(paint.deposited(CarriedPaint::kBands / 2 + 1), kRed);
+  paint.dip(kBlueSet, rows_across(0.5f, 0.5f));  // a row of the reservoir at least
+  EXPECT_EQ(paint.deposited(CarriedPaint::kBands / 2), kBlueSet);
+  EXPECT_EQ(paint.deposited(CarriedPaint::kBands / 2 + 1), kRedSet);
 }
 
 TEST(CarriedPaint, BandsDivideTheTipsWidth) {
@@ -37,12 +37,12 @@ TEST(CarriedPaint, BandsDivideTheTipsWidth) {
 
 TEST(CarriedPaint, LaysWhatItTookUpUntilTheLoadHasReplacedIt) {
   CarriedPaint paint;
-  paint.dip(kBlue, kAllRows);
-  paint.pass(upon(kRed), 0.25, 0.1);
-  EXPECT_EQ(paint.deposited(3), kBlue | kRed);
+  paint.dip(kBlueSet, kAllRows);
+  paint.pass(upon(kRedSet), 0.25, 0.1);
+  EXPECT_EQ(paint.deposited(3), kBlueSet | kRedSet);
   // 0.25 x 0.9 of it, then 0.9 of that each time: under 3e-4 after 63 more.
   int passes = 0;
-  while (paint.deposited(3) != kBlue && passes < 100) {
+  while (paint.deposited(3) != kBlueSet && passes < 100) {
     paint.pass(upon(0), 0.25, 0.1);
     ++passes;
   }
@@ -52,9 +52,9 @@ TEST(CarriedPaint, LaysWhatItTookUpUntilTheLoadHasReplacedIt) {
 TEST(CarriedPaint, AKnifeLaysOnlyWhatItTookUp) {
   CarriedPaint paint;  // never dipped
   EXPECT_EQ(paint.deposited(0), 0u);
-  paint.pass(upon(kRed), 0.25, 0);
+  paint.pass(upon(kRedSet), 0.25, 0);
   for (int i = 0; i < 100; ++i) paint.pass(upon(0), 0.25, 0);
-  EXPECT_EQ(paint.deposited(0), kRed);
+  EXPECT_EQ(paint.deposited(0), kRedSet);
   EXPECT_EQ(paint.loaded(0), 0u);
 }
 

@@ -8,6 +8,7 @@
 #include "replay/play/player.h"
 #include "replay/session/log_plan.h"
 #include "tests/replay/list_reader.h"
+#include "tests/sanitized.h"
 
 namespace pentimento {
 namespace {
@@ -96,7 +97,7 @@ Ended play_until(std::size_t at, Pauses pauses) {
 constexpr std::size_t kEvents = 1 + 31 + 1 + 31 + 1;
 
 TEST(PlayerInterruption, EndsASavedReplayBetweenStepsWhereverItComes) {
-  for (std::size_t at = 0; at < kEvents; ++at) {
+  for (std::size_t at = 0; at < kEvents; at += test::kStride) {
     const Ended ended = play_until(at, Pauses::kPatient);
     ASSERT_FALSE(ended.played) << "event " << at;
     EXPECT_EQ(ended.played.error().code, ErrorCode::kInterrupted);
@@ -108,7 +109,7 @@ TEST(PlayerInterruption, EndsASavedReplayBetweenStepsWhereverItComes) {
 /// Of the events, how many interruptions ended the replay within a step.
 int ends_within_steps(Pauses pauses) {
   int within = 0;
-  for (std::size_t at = 0; at < kEvents; ++at) {
+  for (std::size_t at = 0; at < kEvents; at += test::kStride) {
     const Ended ended = play_until(at, pauses);
     EXPECT_FALSE(ended.played) << "event " << at;
     if (!ended.between_steps) ++within;
@@ -117,11 +118,12 @@ int ends_within_steps(Pauses pauses) {
 }
 
 TEST(PlayerInterruption, EndsAnyOtherAtOnceAlsoWithinAStep) {
-  EXPECT_GT(ends_within_steps(Pauses::kNone), 20);  // most events are not the first of their step
+  EXPECT_GT(ends_within_steps(Pauses::kNone),
+            20 / test::kStride);  // most events are not the first of their step
 }
 
 TEST(PlayerInterruption, APauseCanEndTheReplayWithinAStep) {
-  EXPECT_GT(ends_within_steps(Pauses::kHurried), 20);
+  EXPECT_GT(ends_within_steps(Pauses::kHurried), 20 / test::kStride);
 }
 
 }  // namespace

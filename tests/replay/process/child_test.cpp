@@ -48,6 +48,15 @@ TEST_F(ChildTest, ACrashIsASignal) {
   EXPECT_EQ(done.code, SIGSEGV);
 }
 
+// A new process is a copy of its parent at first, with all of the parent's memory.
+TEST_F(ChildTest, ItsMemoryIsItsOwnFromTheBeginning) {
+  const std::vector<char> much(std::size_t{200} << 20, 1);
+  ChildSpec spec = spec_of("exit 0");
+  spec.memory_bytes = 100'000'000;
+  for (int i = 0; i < 10; ++i) EXPECT_EQ(run(spec).end, ChildEnd::kExit);
+  EXPECT_EQ(much.back(), 1);
+}
+
 TEST_F(ChildTest, AHangIsEndedAndSoIsWhatItStarted) {
   ChildSpec spec = spec_of("sleep 100 & echo $! > pid; wait");
   spec.timeout_s = 0.3;

@@ -11,7 +11,7 @@
 namespace pentimento::conservative {
 namespace {
 
-std::size_t at(int i) {
+std::size_t as_size(int i) {
   return static_cast<std::size_t>(i);
 }
 
@@ -27,14 +27,14 @@ class BatchEdges {
  public:
   void fill(const CanvasState& state, const StepInput& in, const LineBatch& b, int strip_width) {
     width_ = b.width();
-    const std::size_t edges = at(b.cells() + width_);
+    const std::size_t edges = as_size(b.cells() + width_);
     for (std::vector<float>* v : {&flow_, &depth_})
       if (v->size() < edges) v->resize(edges);
     // Flow and push of each row of edges; the first and the last row are walls.
     pushed_ =
         !in.contact.empty() && in.contact.row_begin <= b.box.y1 && in.contact.row_end >= b.box.y0;
-    push_.assign(pushed_ ? edges : at(width_), 0);
-    moves_.assign(at(b.height() + 1), 0);
+    push_.assign(pushed_ ? edges : as_size(width_), 0);
+    moves_.assign(as_size(b.height() + 1), 0);
     for (const int r : {0, b.height()}) std::fill_n(flow_.data() + r * width_, width_, 0.0f);
     for (int r = 1; r < b.height(); ++r) fill_row(state, in, b, r);
     for (int r = 0; r <= b.height(); ++r)
@@ -48,7 +48,7 @@ class BatchEdges {
   const float* flow(int r) const { return flow_.data() + r * width_; }
   const float* push(int r) const { return push_.data() + (pushed_ ? r * width_ : 0); }
   const float* depth(int r) const { return depth_.data() + r * width_; }
-  bool moves(int r) const { return moves_[at(r)] != 0; }
+  bool moves(int r) const { return moves_[as_size(r)] != 0; }
 
  private:
   void fill_row(const CanvasState& state, const StepInput& in, const LineBatch& b, int r) {
@@ -57,12 +57,12 @@ class BatchEdges {
     const int y = b.box.y0 + r - 1;
     float* flow = flow_.data() + r * width_;
     flow_row(state.velocity_y_m_s.row(y) + x, in.dt_s, per_m, width_, flow);
-    moves_[at(r)] = any_motion_row(flow, width_);
+    moves_[as_size(r)] = any_motion_row(flow, width_);
     if (y + 1 < in.contact.row_begin || y >= in.contact.row_end) return;
     float* push = push_.data() + r * width_;
     push_row(in.contact.push_y_m.row(y) + x, in.contact.push_y_m.row(y + 1) + x, per_m, width_,
              push);
-    if (any_motion_row(push, width_)) moves_[at(r)] = 1;
+    if (any_motion_row(push, width_)) moves_[as_size(r)] = 1;
   }
 
   // Where edges of a strip come too near one another, they and the flow give way (crowd_limit.h).
@@ -81,7 +81,7 @@ class BatchEdges {
     }
     if (crowded == 0) return;
     // The limit works on flat arrays of the strip; what it moved is copied back.
-    std::vector<float> strip_depth(at(n * (height + 2))), edge(at(n * (height + 1)));
+    std::vector<float> strip_depth(as_size(n * (height + 2))), edge(as_size(n * (height + 1)));
     for (int r = -1; r <= height; ++r) std::copy_n(depth(r), n, strip_depth.data() + (r + 1) * n);
     for (int r = 0; r <= height; ++r) std::copy_n(this->depth(r) + x0, n, edge.data() + r * n);
     if (!limit_crowding({height, n, most_m}, strip_depth.data() + n, edge.data())) return;
@@ -89,7 +89,7 @@ class BatchEdges {
       std::copy_n(edge.data() + r * n, n, depth_.data() + r * width_ + x0);
       float* flow = flow_.data() + r * width_ + x0;
       flow_of_edge_row(edge.data() + r * n, push(r) + x0, n, flow);
-      moves_[at(r)] = 1;
+      moves_[as_size(r)] = 1;
     }
   }
 
@@ -116,7 +116,7 @@ class PaintStream {
         strip_width_(strip_width),
         depth_options_{in.model.superbee, rounder_for(quantum_for(in.model.max_medium_m))},
         amount_options_{in.model.superbee, rounder_for(quantum_for(in.model.max_pigment))},
-        layers_(at(state.layers)) {}
+        layers_(as_size(state.layers)) {}
 
   void move(const LineBatch& b) {
     resize(b);
@@ -169,7 +169,7 @@ class PaintStream {
     layer.edge.resize(n_);
     layer.middle.resize(n_);
     if (n_ > layer.sum.width()) layer.sum = Field<float>(n_, 1);
-    layer.channels.resize(at(state_.channels));
+    layer.channels.resize(as_size(state_.channels));
     for (ChannelStream& c : layer.channels) {
       c.quantity.resize(n_);
       if (!bottom) continue;
@@ -190,14 +190,14 @@ class PaintStream {
     float* share = share_.row(r);
     for (float* row : {total, below, share}) std::fill_n(row, n_, 0.0f);
     for (int k = 0; k < state_.layers; ++k) {
-      StreamedLayer& layer = layers_[at(k)];
+      StreamedLayer& layer = layers_[as_size(k)];
       float* sum = layer.sum.row(0);
       std::fill_n(sum, n_, 0.0f);
       bool painted = false;
       for (int c = 0; c < state_.channels; ++c) {
         const float* amount = row_of(state_.channel(k, c), r);
-        const bool some = weigh_row(amount, in_.amount[at(c)], n_, sum);
-        layer.channels[at(c)].painted.at(r) = some;
+        const bool some = weigh_row(amount, in_.amount[as_size(c)], n_, sum);
+        layer.channels[as_size(c)].painted.at(r) = some;
         painted |= some;
       }
       layer.painted.at(r) = painted;
@@ -214,7 +214,7 @@ class PaintStream {
     // What of the bottom layer is free, and what its residue holds (R19).
     if (!layers_.front().painted.at(r)) return;
     for (int c = 0; c < state_.channels; ++c) {
-      ChannelStream& channel = layers_.front().channels[at(c)];
+      ChannelStream& channel = layers_.front().channels[as_size(c)];
       if (!channel.painted.at(r)) continue;
       split_residue_row(row_of(state_.channel(0, c), r), share, amount_options_.rounder, n_,
                         channel.held.row(r), channel.free.row(r));
@@ -238,7 +238,7 @@ class PaintStream {
 
   // The same for layer k, over edges of its own, which are computed when a row needs them.
   void move_layer(int k, int r) {
-    StreamedLayer& layer = layers_[at(k)];
+    StreamedLayer& layer = layers_[as_size(k)];
     if (within(r)) {
       // A row without this layer passes nothing on, whatever its edges do.
       const bool moves = layer.painted.at(r) && (edges_.moves(r) || edges_.moves(r + 1));
@@ -253,7 +253,7 @@ class PaintStream {
 
   // Fills row r of the edges of layer k, which lies between the rows of cells r - 1 and r.
   void fill_edges(int k, int r) {
-    StreamedLayer& layer = layers_[at(k)];
+    StreamedLayer& layer = layers_[as_size(k)];
     if (layer.edges_done >= r) return;
     layer.edges_done = r;
     float* edge = layer.edge.row(r);
@@ -267,8 +267,8 @@ class PaintStream {
   }
 
   void move_channel(int k, int c, int r) {
-    ChannelStream& channel = layers_[at(k)].channels[at(c)];
-    const EdgeStream& edges = layers_[at(k)].edges;
+    ChannelStream& channel = layers_[as_size(k)].channels[as_size(c)];
+    const EdgeStream& edges = layers_[as_size(k)].edges;
     Field<float>& plane = state_.channel(k, c);
     if (within(r)) {
       const auto row = [&](int i) -> const float* {
@@ -302,14 +302,15 @@ class PaintStream {
     put(depth_, depth_options_.rounder, state_.depth_m);
     for (int k = 0; k < state_.layers; ++k)
       for (int c = 0; c < state_.channels; ++c)
-        put(layers_[at(k)].channels[at(c)].quantity, amount_options_.rounder, state_.channel(k, c));
+        put(layers_[as_size(k)].channels[as_size(c)].quantity, amount_options_.rounder,
+            state_.channel(k, c));
   }
 
   // Tells the listener where row r of the edges goes: those of the depth (0), or of layer
   // `quantity` - 1.
   void record(int quantity, int r, const float* edge) {
     if (in_.listener == nullptr) return;
-    std::copy_n(edge, n_, row_of(in_.listener->edges().y[at(quantity)], r - 1));
+    std::copy_n(edge, n_, row_of(in_.listener->edges().y[as_size(quantity)], r - 1));
   }
 
   CanvasState& state_;

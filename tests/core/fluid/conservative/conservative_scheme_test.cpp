@@ -2,14 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "core/fluid/conservative/advection/advection.h"
 #include "tests/core/fluid/analytic_case.h"
 #include "tests/core/fluid/conservative/basin.h"
 
 namespace pentimento::conservative {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 /// What a step's viscosity leaves of a shear wave, half a wave over the canvas: along x of v, or
 /// along y of u. Cells of 1 mm by 2 mm.
@@ -22,7 +22,9 @@ double shear_left(Axis axis) {
   b.fill_depth([](int, int) { return 0.005f; });
   b.gravity_m_s2 = {0, 0, 0};
   b.dt_s = 0.01f;
-  const auto wave = [&](int i) { return static_cast<float>(std::cos(kPi * (i + 0.5) / kCells)); };
+  const auto wave = [&](int i) {
+    return static_cast<float>(std::cos(std::numbers::pi * (i + 0.5) / kCells));
+  };
   for (int y = 0; y < kCells; ++y)
     for (int x = 0; x < kCells; ++x) {
       if (axis == Axis::kX && y + 1 < kCells) b.state.velocity_y_m_s(x, y) = 1e-5f * wave(x);
@@ -38,7 +40,7 @@ TEST(ConservativeScheme, ViscosityCountsEachAxisByItsOwnCells) {
   // Backward Euler: 1 / (1 + nu dt k^2), k^2 = (2 / d sin(pi / 2n))^2 for half a wave over n cells.
   for (const Axis axis : {Axis::kX, Axis::kY}) {
     const double d = axis == Axis::kX ? 0.001 : 0.002;
-    const double k = 2 / d * std::sin(kPi / 64);
+    const double k = 2 / d * std::sin(std::numbers::pi / 64);
     // A wave that is carried along with itself by 1e-4 of a cell, and the solver's rest.
     EXPECT_NEAR(shear_left(axis), 1 / (1 + 1e-4 * 0.01 * k * k), 2e-5);
   }

@@ -1,12 +1,12 @@
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "tests/core/fluid/analytic_case.h"
 #include "tests/core/fluid/conservative/basin.h"
 
 namespace pentimento::conservative {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 TEST(ConservativeScheme, DecaysAShearWaveLikeExpOfMinusNuK2T) {
   // u = sin(k y), away from the end walls, in a slab of uniform nu; no pressure is involved.
@@ -17,7 +17,7 @@ TEST(ConservativeScheme, DecaysAShearWaveLikeExpOfMinusNuK2T) {
   b.fill_depth([](int, int) { return 0.005f; });
   b.gravity_m_s2 = {0, 0, 0};
   b.dt_s = 0.01f;
-  const double k = 2 * kPi / 0.064;
+  const double k = 2 * std::numbers::pi / 0.064;
   for (int y = 0; y < kHeight; ++y)
     for (int x = 0; x + 1 < kWidth; ++x)
       b.state.velocity_x_m_s(x, y) =

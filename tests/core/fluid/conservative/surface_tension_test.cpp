@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "core/canvas/cell_box.h"
 #include "core/fluid/conservative/conservative_scheme.h"
 #include "tests/core/fluid/analytic_case.h"
@@ -10,8 +12,6 @@
 
 namespace pentimento::conservative {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kNu = 1e-3;  // m^2/s
 constexpr int kAcross = 4;    // cells across the wave
 
@@ -27,7 +27,7 @@ struct Film {
   double step_s = 1.0 / 45;
 
   double length_m() const { return cells * cell_m; }
-  double wave_number(int halves) const { return kPi * halves / length_m(); }
+  double wave_number(int halves) const { return std::numbers::pi * halves / length_m(); }
   CanvasGeometry geometry() const {
     const double wide = across_m * kAcross;
     if (axis == Axis::kX) return {cells, kAcross, length_m(), wide};
@@ -49,7 +49,7 @@ struct Film {
     double sum = 0;
     for (int i = 0; i < cells; ++i) {
       const float d = axis == Axis::kX ? b.state.depth_m(i, 1) : b.state.depth_m(1, i);
-      sum += static_cast<double>(d) * std::cos(kPi * halves * (i + 0.5) / cells);
+      sum += static_cast<double>(d) * std::cos(std::numbers::pi * halves * (i + 0.5) / cells);
     }
     return 2 * sum / cells;
   }
@@ -58,7 +58,7 @@ struct Film {
     Basin b = basin();
     b.fill_depth([&](int x, int y) {
       const int i = axis == Axis::kX ? x : y;
-      const double wave = std::cos(kPi * halves * (i + 0.5) / cells);
+      const double wave = std::cos(std::numbers::pi * halves * (i + 0.5) / cells);
       return static_cast<float>(depth_m * (1 + 0.02 * wave));
     });
     const int first = static_cast<int>(1 / step_s + 0.5);
@@ -103,7 +103,7 @@ TEST(SurfaceTension, AHangingFilmGathersAtTheCapillaryWavelength) {
   // 2 pi sqrt(2) sqrt(s / g) = 16.5 mm. On 165 mm that is 20 halves.
   const Film film{.cells = 165, .gravity_z_m_s2 = -9.81};
   const double s = static_cast<double>(Model{}.tension_m3_s2());
-  const double fastest_m = 2 * kPi * std::sqrt(2 * s / 9.81);
+  const double fastest_m = 2 * std::numbers::pi * std::sqrt(2 * s / 9.81);
   EXPECT_NEAR(fastest_m, 0.0165, 1e-4);
   int best = 0;
   double most = 0;

@@ -15,7 +15,7 @@
 namespace pentimento::sketch {
 namespace {
 
-Result<Sketch> read(const std::string& bytes, View view = View::kCamera) {
+Result<Sketch> read_tilt(const std::string& bytes, View view = View::kCamera) {
   ReadOptions options;
   options.view = view;
   return read_tilt_brush({"a.tilt", bytes}, options);
@@ -115,7 +115,7 @@ TEST(TiltBrush, IsSeenAsInItsThumbnail) {
   for (const Case& c : cases) {
     const std::string bytes = recording("tilt-brush/" + std::string(c.name) + ".tilt");
     ASSERT_EQ(format_of(bytes), find_format("tilt-brush"));
-    const Result<Sketch> sketch = read(bytes);
+    const Result<Sketch> sketch = read_tilt(bytes);
     ASSERT_TRUE(sketch) << sketch.error().message;
     expect_sound(*sketch);
     const Field<float> thumbnail = thumbnail_of(bytes);
@@ -150,7 +150,7 @@ const Stroke& stroke_of(const Sketch& sketch, std::size_t i) {
 
 TEST(TiltBrush, TheViewDecidesPlacesAndOrder) {
   const std::string bytes = painting(two_strokes(), kScene);
-  const Result<Sketch> seen = read(bytes);
+  const Result<Sketch> seen = read_tilt(bytes);
   ASSERT_TRUE(seen) << seen.error().message;
   ASSERT_EQ(seen->items.size(), 2u);
   // The farther one comes first, and is drawn smaller: its depth is 15, that of the other 10.
@@ -161,7 +161,7 @@ TEST(TiltBrush, TheViewDecidesPlacesAndOrder) {
   ASSERT_TRUE(seen->page);
   EXPECT_NEAR(seen->page->width, 2 * 0.8391, 1e-4) << "square without a thumbnail";
 
-  const Result<Sketch> front = read(bytes, View::kFront);
+  const Result<Sketch> front = read_tilt(bytes, View::kFront);
   ASSERT_TRUE(front);
   EXPECT_NEAR(stroke_of(*front, 0).color[0], srgb_to_linear(0.25), 1e-12) << "as in the file";
   EXPECT_DOUBLE_EQ(stroke_of(*front, 1).samples[0].x, 1);
@@ -179,7 +179,7 @@ TEST(TiltBrush, ThePlaneIsSeenFromTheCamerasSide) {
     const std::string scene = R"({"BrushIndex":["f72ec0e7-a844-4e38-82e3-140c44772699"],
         "ThumbnailCameraTransformInRoomSpace":[[0,0,)" +
                               std::to_string(camera_z) + "]," + turn + ",1]}";
-    const Result<Sketch> sketch = read(painting(flat.bytes(), scene), View::kPlane);
+    const Result<Sketch> sketch = read_tilt(painting(flat.bytes(), scene), View::kPlane);
     EXPECT_TRUE(sketch);
     const std::vector<Sample>& at = stroke_of(*sketch, 0).samples;
     return std::array{at[1].x - at[0].x, at[2].y - at[1].y};
@@ -192,7 +192,7 @@ TEST(TiltBrush, ThePlaneIsSeenFromTheCamerasSide) {
 }
 
 TEST(TiltBrush, RefusesOtherHeaders) {
-  const auto error = [](const std::string& bytes) { return read(bytes).error().message; };
+  const auto error = [](const std::string& bytes) { return read_tilt(bytes).error().message; };
   EXPECT_EQ(error("tilT"),
             "a.tilt: offset 4: size of the header is cut short: 2 bytes are needed, 0 are left");
   EXPECT_EQ(error(std::string("tilT\x11\0\1\0", 8) + std::string(8, '\0')),

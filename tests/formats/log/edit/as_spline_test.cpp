@@ -7,8 +7,6 @@
 namespace pentimento::log {
 namespace {
 
-constexpr TouchPhase kDown = TouchPhase::kDown, kMove = TouchPhase::kMove, kUp = TouchPhase::kUp;
-
 TEST(AsSpline, DropsWhatTheCurveDoesNotNeed) {
   EXPECT_EQ(edited<AsSpline>({at(0, Dry{}), touch(1, kDown, 0.1), touch(2, kMove, 0.2),
                               touch(3, kMove, 0.3), touch(4, kUp, 0.4), at(5, Clear{})},

@@ -9,6 +9,8 @@
 
 namespace pentimento::log {
 
+using enum TouchPhase;
+
 inline Event at(double time_s, Action action) {
   Event event;
   event.time_us = static_cast<std::int64_t>(time_s * 1e6 + 0.5);

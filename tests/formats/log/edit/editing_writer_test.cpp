@@ -7,12 +7,10 @@
 namespace pentimento::log {
 namespace {
 
-using enum TouchPhase;
-
 /// Keeps lines in place of a file.
-class Lines : public Writer {
+class LineWriter : public Writer {
  public:
-  explicit Lines(std::vector<std::string>& lines) : lines_(lines) {}
+  explicit LineWriter(std::vector<std::string>& lines) : lines_(lines) {}
   void write(const Header& header) override {
     lines_.push_back(std::to_string(header.canvas_width_m).substr(0, 3));
   }
@@ -32,7 +30,7 @@ TEST(EditingWriter, DoesAllEditsInTheirOrder) {
   edits.speed = 2;
   edits.resample_hz = 2;
   edits.canvas_m = {2, 1.5};
-  EditingWriter writer(edits, std::make_unique<Lines>(lines));
+  EditingWriter writer(edits, std::make_unique<LineWriter>(lines));
   writer.write(Header());
   for (const Event& event :
        {touch(5, kDown), touch(6, kUp), touch(12, kDown, 0.1), touch(14, kMove, 0.3),
@@ -61,7 +59,7 @@ TEST(EditingWriter, AnExtensionGetsItsTimeAndKeepsTheRest) {
   std::vector<std::string> lines;
   Edits edits;
   edits.speed = 4;
-  EditingWriter writer(edits, std::make_unique<Lines>(lines));
+  EditingWriter writer(edits, std::make_unique<LineWriter>(lines));
   writer.write(Header());
   writer.write(at(2, Extension{"x-a", R"({"t":2,"type":"x-a","w":[1,2.50,"\n"]})"}));
   ASSERT_TRUE(writer.finish());

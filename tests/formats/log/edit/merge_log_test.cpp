@@ -7,8 +7,6 @@
 namespace pentimento::log {
 namespace {
 
-constexpr TouchPhase kDown = TouchPhase::kDown, kMove = TouchPhase::kMove, kUp = TouchPhase::kUp;
-
 MergeLog::OtherEvents from(std::vector<Event> events) {
   return [events = std::move(events), next = std::size_t{0}]() mutable -> std::optional<Event> {
     if (next == events.size()) return {};

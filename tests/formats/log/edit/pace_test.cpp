@@ -7,8 +7,6 @@
 namespace pentimento::log {
 namespace {
 
-using enum TouchPhase;
-
 TEST(Speed, DividesAllTimes) {
   EXPECT_EQ(edited<Speed>({at(1, Dry{}), touch(3, kDown)}, 2.0),
             lines_of({at(0.5, Dry{}), touch(1.5, kDown)}));

@@ -7,8 +7,6 @@
 namespace pentimento::log {
 namespace {
 
-using enum TouchPhase;
-
 TEST(Resample, PutsSamplesAtEvenTimesOnTheLinesBetween) {
   EXPECT_EQ(
       edited<Resample>(

@@ -7,7 +7,6 @@
 namespace pentimento::log {
 namespace {
 
-using enum TouchPhase;
 using Lines = std::vector<std::string>;
 constexpr std::int64_t kSecond = 1'000'000;
 

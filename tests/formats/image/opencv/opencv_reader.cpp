@@ -1,5 +1,7 @@
 // The module's only file: a picture through OpenCV, row by row as floats.
 
+#include "tests/formats/image/opencv/opencv_reader.h"
+
 #include <exception>
 #include <iostream>
 #include <mutex>
@@ -7,8 +9,6 @@
 #include <opencv2/core/utils/logger.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <streambuf>
-
-#include "formats/image/picture_module.h"
 
 namespace {
 
