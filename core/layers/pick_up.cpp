@@ -1,8 +1,10 @@
 #include "core/layers/pick_up.h"
 
 #include <algorithm>
+#include <cstring>
 
 #include "core/base/any_not_zero.h"
+#include "core/base/check.h"
 #include "core/base/kernel.h"
 #include "core/layers/cell_packet.h"
 
@@ -12,37 +14,55 @@ namespace {
 /// An amount below this is picked up as a whole, before it becomes a subnormal number, which is
 /// slow.
 constexpr float kTrace = 1e-20f;
+constexpr int kLanes = 4;  // of a sum
 
-/// Takes share[i] of values[i]; `gone`: what left, exactly.
+/// Takes share[i] of values[i]; `total` grows by what left, exactly. Returns the sum of what left,
+/// which is that of four interleaved sums in double. `cells` is rounded up to a multiple of four:
+/// share and total have room for that, and what is beyond the cells is ignored.
 PENTIMENTO_KERNEL
-void take(const float* share, int cells, float* __restrict values, float* __restrict gone) {
+double take(const float* share, int cells, float* __restrict values, float* __restrict total) {
+  using Doubles = double __attribute__((vector_size(32)));
+  using Floats = float __attribute__((vector_size(16)));
+  PacketValues gone;
   for (int i = 0; i < cells; ++i) {
     const float value = values[i];
     const float rest = value - share[i] * value;
     const float left = rest < kTrace ? 0 : rest;
-    gone[i] = value - left;
+    gone[static_cast<std::size_t>(i)] = value - left;
     values[i] = left;
   }
+  for (int i = cells; i % kLanes != 0; ++i) gone[static_cast<std::size_t>(i)] = 0;
+  Doubles lanes = {0, 0, 0, 0};
+  for (int i = 0; i < cells; i += kLanes) {
+    Floats four, sum;
+    std::memcpy(&four, gone.data() + i, sizeof(four));
+    std::memcpy(&sum, total + i, sizeof(sum));
+    sum += four;
+    std::memcpy(total + i, &sum, sizeof(sum));
+    lanes += __builtin_convertvector(four, Doubles);
+  }
+  return (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]);
 }
 
-/// Where the picked up paint goes: one component per cell, `stride` floats apart, and its sum.
+/// Components that are written at a time: `stride` is a multiple of it.
+constexpr int kTogether = 4;
+using Components = std::array<PacketValues, kTogether>;
+
+/// Planes to cells: out[x * stride + k] = component[k][x].
+PENTIMENTO_KERNEL
+void interleave(const Components& component, int cells, int stride, float* __restrict out) {
+  const int step = stride == kTogether ? kTogether : stride;  // the usual one is known beforehand
+  for (std::size_t i = 0; i < static_cast<std::size_t>(cells); ++i, out += step)
+    for (std::size_t k = 0; k < kTogether; ++k) out[k] = component[k][i];
+}
+
+/// Where the picked up paint goes: `stride` floats per cell, and the sums of the row.
 struct Record {
   float* picked_up = nullptr;  // nullptr: nobody asks
   int stride = 0;
   std::span<double> sums;
 
-  /// Adds the paint that left one component. The sum is that of four interleaved sums.
-  void note(const PacketValues& gone, int cells, int first, int component) const {
-    if (picked_up == nullptr) return;
-    float* taken = picked_up + static_cast<std::ptrdiff_t>(first) * stride + component;
-    double lane[4] = {0, 0, 0, 0};
-    for (int i = 0; i < cells; ++i) {
-      const float g = gone[static_cast<std::size_t>(i)];
-      taken[static_cast<std::ptrdiff_t>(i) * stride] += g;
-      lane[i & 3] += static_cast<double>(g);
-    }
-    sums[static_cast<std::size_t>(component)] += (lane[0] + lane[1]) + (lane[2] + lane[3]);
-  }
+  float* at(int cell) const { return picked_up + static_cast<std::ptrdiff_t>(cell) * stride; }
 };
 
 /// A packet of cells: where it starts, and the share that is picked up of each cell where the
@@ -69,40 +89,64 @@ void find_parts(const PickUp& pick_up, const Packet& packet, const PacketTotals&
   }
 }
 
-/// Picks up from one layer.
-void pick_up_layer(const PickUp& pick_up, const LayerRow& row, const Packet& packet,
-                   const PacketTotals& totals, const std::array<int, kPacketCells>& occupied,
-                   int layer, PacketValues& depth_weight, const Record& record) {
-  PacketValues part{}, gone;
-  find_parts(pick_up, packet, totals, occupied, layer, depth_weight.data(), part.data());
-  for (int c = 0; c < row.channels; ++c) {
-    float* plane = &row.at(layer, c, packet.first);
-    if (!any_not_zero(plane, packet.cells)) continue;
-    take(part.data(), packet.cells, plane, gone.data());
-    record.note(gone, packet.cells, packet.first, 1 + c);
+/// What leaves each layer of a packet's cells: a share of its paint, and of the depth.
+struct PacketParts {
+  std::array<PacketValues, kMaxLayers> layer;
+  PacketValues depth;
+  int layers = 0;  // that any of the cells has
+
+  void find(const PickUp& pick_up, const LayerRow& row, const Packet& packet) {
+    PacketTotals totals;
+    totals.find(row, packet.first, packet.cells);
+    std::array<int, kPacketCells> occupied;
+    layers = totals.find_occupied(row.layers, occupied);
+    for (int i = 0; i < packet.cells; ++i) {
+      const std::size_t at = static_cast<std::size_t>(i);
+      depth[at] = occupied[at] == 0 ? 1.0f : 0.0f;
+    }
+    for (int k = 0; k < layers; ++k)
+      find_parts(pick_up, packet, totals, occupied, k, depth.data(),
+                 layer[static_cast<std::size_t>(k)].data());
+    for (int i = 0; i < packet.cells; ++i) {
+      const std::size_t at = static_cast<std::size_t>(i);
+      depth[at] = packet.share[at] * std::min(depth[at], 1.0f);
+    }
+  }
+};
+
+/// Takes one component, the height or a pigment of all layers. `gone`: what left each cell. Adds to
+/// the sum of the row.
+void take_component(const PacketParts& parts, const LayerRow& row, const Packet& packet,
+                    float* depth_m, int component, PacketValues& gone, double& sum) {
+  gone.fill(0);
+  if (component == 0) sum += take(parts.depth.data(), packet.cells, depth_m, gone.data());
+  for (int layer = 0; component > 0 && layer < parts.layers; ++layer) {
+    float* plane = &row.at(layer, component - 1, packet.first);
+    if (any_not_zero(plane, packet.cells))
+      sum += take(parts.layer[static_cast<std::size_t>(layer)].data(), packet.cells, plane,
+                  gone.data());
   }
 }
 
 void pick_up_packet(const PickUp& pick_up, const LayerRow& row, const Packet& packet,
                     float* depth_m, const Record& record) {
-  PacketTotals totals;
-  totals.find(row, packet.first, packet.cells);
-  std::array<int, kPacketCells> occupied;
-  const int most = totals.find_occupied(row.layers, occupied);
-  PacketValues depth_weight;
-  for (int i = 0; i < packet.cells; ++i) {
-    const std::size_t at = static_cast<std::size_t>(i);
-    depth_weight[at] = occupied[at] == 0 ? 1.0f : 0.0f;
+  PacketParts parts;
+  parts.find(pick_up, row, packet);
+  Components gone;
+  double nobodys = 0;
+  for (int first = 0; first <= row.channels; first += kTogether) {
+    for (int k = 0; k < kTogether; ++k) {
+      PacketValues& here = gone[static_cast<std::size_t>(k)];
+      const auto component = static_cast<std::size_t>(first + k);
+      if (first + k > row.channels)
+        here.fill(0);
+      else
+        take_component(parts, row, packet, depth_m, first + k, here,
+                       record.picked_up == nullptr ? nobodys : record.sums[component]);
+    }
+    if (record.picked_up != nullptr)
+      interleave(gone, packet.cells, record.stride, record.at(packet.first) + first);
   }
-  for (int layer = 0; layer < most; ++layer)
-    pick_up_layer(pick_up, row, packet, totals, occupied, layer, depth_weight, record);
-  for (int i = 0; i < packet.cells; ++i) {
-    const std::size_t at = static_cast<std::size_t>(i);
-    depth_weight[at] = packet.share[at] * std::min(depth_weight[at], 1.0f);
-  }
-  PacketValues gone;
-  take(depth_weight.data(), packet.cells, depth_m, gone.data());
-  record.note(gone, packet.cells, packet.first, 0);
 }
 
 void pick_up_packets(const PickUp& pick_up, const LayerRow& row, std::span<const float> weight,
@@ -119,7 +163,10 @@ void pick_up_packets(const PickUp& pick_up, const LayerRow& row, std::span<const
       packet.share[static_cast<std::size_t>(i)] = share > 0 ? share : 0;
       any |= share > 0;
     }
-    if (any) pick_up_packet(pick_up, row, packet, depth_m + first, record);
+    if (any)
+      pick_up_packet(pick_up, row, packet, depth_m + first, record);
+    else if (record.picked_up != nullptr)
+      std::fill_n(record.at(first), packet.cells * record.stride, 0.0f);
   }
 }
 }  // namespace
@@ -133,8 +180,8 @@ float penetration_weight(float penetration_frac, int layer, int occupied) {
 
 void pick_up_row(const PickUp& pick_up, const LayerRow& row, std::span<const float> weight,
                  float* depth_m, float* picked_up, int stride, std::span<double> sums) {
+  PENTIMENTO_CHECK(stride % kTogether == 0 && stride > row.channels);
   std::fill(sums.begin(), sums.end(), 0.0);
-  std::fill_n(picked_up, static_cast<std::ptrdiff_t>(weight.size()) * stride, 0.0f);
   pick_up_packets(pick_up, row, weight, depth_m, {picked_up, stride, sums});
 }
 

@@ -26,7 +26,8 @@ float penetration_weight(float penetration_frac, int layer, int occupied);
 /// Scheme: pointwise. Stability: f, w_k in [0,1] leave everything >= 0.
 /// Source: R22, R23; A20 (what the brush gains leaves the canvas, pigment and its share of medium).
 /// Departs from it: the residue of R19 is not picked up.
-/// `weight`, `depth_m`: one value per cell; `picked_up`: `stride` floats per cell.
+/// `weight`, `depth_m`: one value per cell; `picked_up`: `stride` floats per cell, a multiple of
+/// four, of which those beyond the channels become 0.
 void pick_up_row(const PickUp& pick_up, const LayerRow& row, std::span<const float> weight,
                  float* depth_m, float* picked_up, int stride, std::span<double> sums);
 /// The same for callers that do not need what was picked up.
