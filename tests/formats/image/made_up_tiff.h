@@ -3,6 +3,8 @@
 
 #include <tiffio.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <cstring>
 #include <functional>
 #include <string>
@@ -33,7 +35,7 @@ inline double made_up_sample(const TiffShape& shape, int x, int y, int c) {
 inline void put_number(const TiffShape& shape, double number, std::uint8_t* to) {
   const auto put = [to](auto value) { std::memcpy(to, &value, sizeof(value)); };
   if (shape.bits == 8) return put(static_cast<std::uint8_t>(number));
-  if (shape.bits == 16) return put(static_cast<std::uint16_t>(number));
+  if (shape.bits == 16) return put(static_cast<std::uint16_t>(std::max(0.0, number)));
   if (shape.bits == 32) return put(static_cast<float>(number));
   put(number);
 }

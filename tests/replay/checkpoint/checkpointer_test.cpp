@@ -37,7 +37,7 @@ void expect_heavy_mode_changes_nothing(const std::string& log, RenderJob job,
   for (const std::string& output : job.picture.outputs) files.push_back(test::slurp(output));
   const Survived survived = survive(checkpointed(job, folder), test::kStride);
   ASSERT_TRUE(survived.report) << survived.report.error().message;
-  EXPECT_GT(survived.interruptions, 12 / test::kStride);  // idle steps are skipped
+  EXPECT_GT(survived.interruptions, test::kStride == 1 ? 12 : 1);  // idle steps are skipped
   EXPECT_EQ(comparable(*survived.report), plain);
   for (std::size_t i = 0; i < files.size(); ++i)
     EXPECT_EQ(test::slurp(job.picture.outputs[i]) == files[i], true) << job.picture.outputs[i];
@@ -113,7 +113,7 @@ TEST(Checkpointer, SoIsAFilm) {
   const std::string frame = test::slurp(folder.path("frame-04.png"));
   const Survived survived = survive(checkpointed(job, folder), 2 * test::kStride);
   ASSERT_TRUE(survived.report) << survived.report.error().message;
-  EXPECT_GT(survived.interruptions, 15 / test::kStride);
+  EXPECT_GT(survived.interruptions, test::kStride == 1 ? 15 : 2);
   EXPECT_EQ(comparable(*survived.report), plain);
   EXPECT_TRUE(test::slurp(folder.path("film.avi")) == film);
   EXPECT_TRUE(test::slurp(folder.path("frame-04.png")) == frame);
