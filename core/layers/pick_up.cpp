@@ -17,8 +17,8 @@ constexpr float kTrace = 1e-20f;
 constexpr int kLanes = 4;  // of a sum
 
 /// Takes share[i] of values[i]; `total` grows by what left, exactly. Returns the sum of what left,
-/// which is that of four interleaved sums in double. `cells` is rounded up to a multiple of four:
-/// share and total have room for that, and what is beyond the cells is ignored.
+/// which is that of four interleaved sums in double. `total` has a whole packet's room: its cells
+/// up to the next multiple of four are read and written, too.
 PENTIMENTO_KERNEL
 double take(const float* share, int cells, float* __restrict values, float* __restrict total) {
   using Doubles = double __attribute__((vector_size(32)));
@@ -51,8 +51,7 @@ using Components = std::array<PacketValues, kTogether>;
 /// Planes to cells: out[x * stride + k] = component[k][x].
 PENTIMENTO_KERNEL
 void interleave(const Components& component, int cells, int stride, float* __restrict out) {
-  const int step = stride == kTogether ? kTogether : stride;  // the usual one is known beforehand
-  for (std::size_t i = 0; i < static_cast<std::size_t>(cells); ++i, out += step)
+  for (std::size_t i = 0; i < static_cast<std::size_t>(cells); ++i, out += stride)
     for (std::size_t k = 0; k < kTogether; ++k) out[k] = component[k][i];
 }
 

@@ -27,9 +27,4 @@ Result<ModuleFunction<Signature>> module_function(const char* module, const char
   return ModuleFunction<Signature>{reinterpret_cast<Signature*>(*found)};
 }
 
-/// The first line of what a library said.
-inline std::string first_line(const std::string& text) {
-  return text.substr(0, text.find('\n'));
-}
-
 }  // namespace pentimento::image
