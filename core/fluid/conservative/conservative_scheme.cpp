@@ -80,6 +80,14 @@ float highest_row(const float* value, int n, float highest) {
   return std::bit_cast<float>(most);
 }
 
+// Whether any face of a row has a mobility and is not held.
+PENTIMENTO_KERNEL
+bool any_gives_way(const float* mobility, const float* friction, int n) {
+  int any = 0;
+  for (int i = 0; i < n; ++i) any |= static_cast<int>((mobility[i] > 0) & (friction[i] > 0));
+  return any != 0;
+}
+
 FaceRow faces_at(NodePlanes& n, int x, int y) {
   return {n.depth_m.row(y) + x, n.mobility_frac.row(y) + x, n.viscosity_m2_s.row(y) + x,
           n.friction_frac.row(y) + x};
@@ -104,6 +112,7 @@ ConservativeScheme::ConservativeScheme(const CanvasGeometry& geometry)
 void ConservativeScheme::make_tiles(float sleep_tile_m) {
   sleep_tile_m_ = sleep_tile_m;
   tiles_ = std::make_unique<SleepTiles>(geometry_, sleep_tile_m);
+  live_ = {};
 }
 
 bool ConservativeScheme::step(CanvasState& state, const StepInput& in) {
@@ -114,10 +123,9 @@ bool ConservativeScheme::step(CanvasState& state, const StepInput& in) {
   // with fewer tiles awake, and states would change.
   if (state.sleep.empty() && in.fresh && in.contact.empty()) tiles_->rest_fresh(state, in);
   // 1. Wake tiles: finds the tiles that this step computes. The workspace of a tile that is asleep
-  // holds zeros.
+  // holds zeros; find_live() sees to the solver's planes.
   for (const int tile : tiles_->wake(state, in)) work_.clear(tiles_->box(tile));
   if (tiles_->awake_tiles().empty()) return false;
-  work_.solver.set_runs(tiles_->runs());
   passed("wake");
 
   // 2. Round to quanta: rounds what the brush left, so that all sums of this step are exact.
@@ -154,8 +162,11 @@ void ConservativeScheme::part_of_step(CanvasState& state, const StepInput& in, i
   // ... and holds the films that are too shallow to advance over bare canvas.
   pin_edges(state, in);
   passed("edges");
-  // ... and foresees where the surface comes to if all goes on as it moves.
-  for_runs(in.threads, tiles_->runs(), [&](const Run& r) { foresee_surface(state, in, r); });
+  // Where nothing moves and nothing gives way, that is all.
+  if (part == 0) find_live(in);
+  if (!live_.any()) return;
+  // Elsewhere it foresees where the surface comes to if all goes on as it moves.
+  for_runs(in.threads, live_.runs(), [&](const Run& r) { foresee_surface(state, in, r); });
   copy_sleeping_neighbours(state);
   passed("surface");
   // 5. Viscosity: evens out the velocity inside each film.
@@ -224,6 +235,29 @@ void ConservativeScheme::find_rheology(const CanvasState& state, const StepInput
                {work_.viscosity_m2_s.row(r.y) + r.x0, n});
 }
 
+// Which tiles the solves are for. The solver's planes are zero in all others.
+void ConservativeScheme::find_live(const StepInput& in) {
+  // Where gravity moves stiff paint too (reading (b) of A7), all paint gives way.
+  const bool all = !in.model.phi_scales_lateral;
+  live_.find(*tiles_, in.threads,
+             [&](int tile) { return all || tiles_->moves(tile) || gives_way(tiles_->box(tile)); });
+  for (const int tile : live_.gone()) {
+    const CellBox b = tiles_->box(tile);
+    work_.solver.clear(b.x0, b.x1, b.y0, b.y1);
+  }
+  if (live_.any()) work_.solver.set_runs(live_.runs());
+}
+
+// Whether a force would move any paint: at a face that is not held.
+bool ConservativeScheme::gives_way(const CellBox& b) const {
+  for (const NodePlanes* n : {&work_.x, &work_.y})
+    for (int y = b.y0 - 1; y < b.y1; ++y)
+      if (any_gives_way(n->mobility_frac.row(y) + b.x0 - 1, n->friction_frac.row(y) + b.x0 - 1,
+                        b.x1 - b.x0 + 1))
+        return true;
+  return false;
+}
+
 void ConservativeScheme::find_faces(const CanvasState& state, const StepInput& in, const Run& r) {
   // 4b. Depth, mobility, viscosity and friction of each face. A face at the canvas's edge or beside
   // a sleeping tile is closed.
@@ -278,7 +312,7 @@ void ConservativeScheme::copy_sleeping_neighbours(const CanvasState& state) {
     for (int x = x0; x < x1; ++x)
       work_.surface_m.row(y)[x] = state.base_m(x, y) + state.depth_m(x, y);
   };
-  for (const Run& r : tiles_->runs()) {
+  for (const Run& r : live_.runs()) {
     if (r.x0 > 0) copy(r.y, r.x0 - 1, r.x0);
     if (r.x1 < geometry_.width) copy(r.y, r.x1, r.x1 + 1);
     for (const int y : {r.y - 1, r.y + 1})

@@ -17,6 +17,7 @@
 
 #include "core/fluid/conservative/solve/height_row.h"
 #include "core/fluid/conservative/solve/workspace.h"
+#include "core/fluid/conservative/tiles/live_tiles.h"
 #include "core/fluid/conservative/tiles/sleep_tiles.h"
 #include "core/fluid/scheme.h"
 
@@ -40,6 +41,7 @@ class ConservativeScheme : public FluidScheme {
   void passed(const char* pass) const {
     if (passed_) passed_(pass);
   }
+  void find_live(const StepInput& in);
   void make_tiles(float sleep_tile_m);
   void part_of_step(CanvasState& state, const StepInput& in, int part);
   void advect(CanvasState& state, const StepInput& in, bool even);
@@ -60,12 +62,14 @@ class ConservativeScheme : public FluidScheme {
   void apply_tension(const CanvasState& state, const StepInput& in, const Run& r);
   void fill_height(const CanvasState& state, const StepInput& in, const Run& r);
   void finish(CanvasState& state, const StepInput& in, const Run& r);
+  bool gives_way(const CellBox& box) const;
   bool feels_gravity(const CellBox& box) const;
   void account(const CanvasState& state, const StepInput& in);
 
   CanvasGeometry geometry_;
   std::unique_ptr<SleepTiles> tiles_;  // made at the first step: their size is a parameter
-  float sleep_tile_m_ = 0;             // that parameter then; 0 before the first step
+  LiveTiles live_;
+  float sleep_tile_m_ = 0;  // that parameter then; 0 before the first step
   Workspace work_;
   std::function<void(const char*)> passed_;
   BrushContact untouched_;  // of no size: the brush touches nothing in the later parts of a step

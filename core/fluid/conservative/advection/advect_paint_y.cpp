@@ -49,6 +49,13 @@ class BatchEdges {
   const float* push(int r) const { return push_.data() + (pushed_ ? r * width_ : 0); }
   const float* depth(int r) const { return depth_.data() + r * width_; }
   bool moves(int r) const { return moves_[as_size(r)] != 0; }
+  /// Whether any row of edges from `first` to `last` moves. They may lie beyond the batch.
+  bool any_moves(int first, int last) const {
+    const int rows = static_cast<int>(moves_.size());
+    for (int r = std::max(first, 0); r <= std::min(last, rows - 1); ++r)
+      if (moves(r)) return true;
+    return false;
+  }
 
  private:
   void fill_row(const CanvasState& state, const StepInput& in, const LineBatch& b, int r) {
@@ -123,6 +130,7 @@ class PaintStream {
     // How far each edge moves, for the whole batch.
     edges_.fill(state_, in_, b, strip_width_);
     const int height = b.height();
+    if (in_.listener == nullptr && !edges_.any_moves(0, height)) return;
     // Down the rows. Each turn finds what leaves row r, while rows r - 1 and r + 1 are still as
     // they were, and then writes row r - 1, for which all that comes in is known.
     prepare(0);
@@ -183,8 +191,10 @@ class PaintStream {
   int clamped(int r) const { return std::clamp(r, 0, b_.height() - 1); }
 
   // Reads row r before it moves: which layers it has, where these lie in the film, and what of the
-  // bottom layer is free to move.
+  // bottom layer is free to move. That matters to what leaves the row and its neighbours, and to
+  // how the layers' edges move on either side of it.
   void prepare(int r) {
+    if (!edges_.any_moves(r - 1, r + 2)) return;
     float* total = total_.row(0);
     float* below = below_.row(0);
     float* share = share_.row(r);

@@ -3,43 +3,94 @@
 #include <algorithm>
 
 namespace pentimento::conservative {
+namespace {
+
+// To share a loop among threads takes as long as this many cells in one stage.
+constexpr std::int64_t kCellsAndStagesPerTask = 65536;
+
+/// RowSpan whose stages are done in one go.
+struct Band {
+  RowSpan rows;
+  bool first = true, last = true;  // of its span: nothing depends on the rows beyond
+};
+
+/// Cuts the spans into bands of about `cells` cells, each high enough that the gaps of `stages`
+/// stages on either side do not meet.
+std::vector<Band> cut_into_bands(const RunIndex& index, int stages, std::int64_t cells) {
+  const int least_rows = 2 * stages + 2;
+  std::vector<Band> bands;
+  for (const RowSpan& span : index.spans()) {
+    if (index.cells(span) <= cells) {
+      bands.push_back({span});
+      continue;
+    }
+    for (int y = span.y0; y < span.y1;) {
+      int end = y + least_rows;
+      while (end < span.y1 && index.cells({y, end}) < cells) ++end;
+      // What is left must be a band, too.
+      if (span.y1 - end < least_rows || 2 * index.cells({end, span.y1}) < cells) end = span.y1;
+      bands.push_back({{y, end}, y == span.y0, end == span.y1});
+      y = end;
+    }
+  }
+  return bands;
+}
+
+/// The rows that stage s of a band is done on at once: all that do not depend on a neighbour band.
+RowSpan rows_of_stage(const Band& band, int s) {
+  return {band.rows.y0 + (band.first ? 0 : s), band.rows.y1 - (band.last ? 0 : s)};
+}
+
+}  // namespace
 
 RunIndex::RunIndex(std::vector<Run> runs, int height) : runs_(std::move(runs)) {
-  begin_.assign(static_cast<std::size_t>(height) + 1, 0);
-  for (const Run& r : runs_) ++begin_[static_cast<std::size_t>(r.y) + 1];
-  for (std::size_t y = 1; y < begin_.size(); ++y) begin_[y] += begin_[y - 1];
+  const auto rows = static_cast<std::size_t>(height);
+  begin_.assign(rows + 1, 0);
+  cells_above_.assign(rows + 1, 0);
+  for (const Run& r : runs_) {
+    ++begin_[static_cast<std::size_t>(r.y) + 1];
+    cells_above_[static_cast<std::size_t>(r.y) + 1] += r.size();
+    if (spans_.empty() || spans_.back().y1 < r.y) spans_.push_back({r.y, r.y});
+    spans_.back().y1 = r.y + 1;
+  }
+  for (std::size_t y = 1; y <= rows; ++y) {
+    begin_[y] += begin_[y - 1];
+    cells_above_[y] += cells_above_[y - 1];
+  }
 }
 
 void for_stages(const Threads& threads, const RunIndex& index, int stages,
                 const std::function<void(int, const Run&)>& pass) {
+  const std::int64_t all = index.cells();
   const int parts = threads.count() == 1 ? 1 : 4 * threads.count();
-  for_stages_in((index.height() + parts - 1) / parts, threads, index, stages, pass);
+  for_stages_in(std::max((all + parts - 1) / parts, kCellsAndStagesPerTask / stages), threads,
+                index, stages, pass);
 }
 
-void for_stages_in(int wanted, const Threads& threads, const RunIndex& index, int stages,
+void for_stages_in(std::int64_t cells, const Threads& threads, const RunIndex& index, int stages,
                    const std::function<void(int, const Run&)>& pass) {
-  const int height = index.height();
-  const int rows = std::max(2 * stages + 2, wanted);
-  const int bands = (height + rows - 1) / rows;
-  threads.for_ranges(0, bands, 1, [&](int begin, int end) {
+  const std::vector<Band> bands = cut_into_bands(index, stages, cells);
+  threads.for_ranges(0, static_cast<int>(bands.size()), 1, [&](int begin, int end) {
     for (int k = begin; k < end; ++k) {
-      const int y0 = k * rows;
-      const int y1 = std::min(y0 + rows, height);
-      if (!index.any(y0, y1)) continue;
-      for (int y = y0; y < y1 + stages - 1; ++y)
+      const Band& band = bands[static_cast<std::size_t>(k)];
+      for (int y = band.rows.y0; y < band.rows.y1 + stages - 1; ++y)
         for (int s = 0; s < stages; ++s) {
-          const bool above = y - s < (y0 == 0 ? 0 : y0 + s);
-          const bool below = y - s >= (y1 == height ? height : y1 - s);
-          if (!above && !below) index.for_rows(y - s, y - s + 1, [&](const Run& r) { pass(s, r); });
+          const RowSpan rows = rows_of_stage(band, s);
+          if (y - s >= rows.y0 && y - s < rows.y1)
+            index.for_row(y - s, [&](const Run& r) { pass(s, r); });
         }
     }
   });
-  threads.for_ranges(1, bands, 1, [&](int begin, int end) {
+  // The gaps between the bands of a span.
+  std::vector<int> gaps;
+  for (const Band& band : bands)
+    if (!band.first) gaps.push_back(band.rows.y0);
+  threads.for_ranges(0, static_cast<int>(gaps.size()), 1, [&](int begin, int end) {
     for (int k = begin; k < end; ++k) {
-      const int border = k * rows;
-      if (!index.any(border - stages, border + stages)) continue;
+      const int border = gaps[static_cast<std::size_t>(k)];
       for (int s = 1; s < stages; ++s)
-        index.for_rows(border - s, border + s, [&](const Run& r) { pass(s, r); });
+        for (int y = border - s; y < border + s; ++y)
+          index.for_row(y, [&](const Run& r) { pass(s, r); });
     }
   });
 }

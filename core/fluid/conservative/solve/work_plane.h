@@ -2,6 +2,8 @@
 // A plane with a border of zeros, so that kernels may read one cell beyond the canvas. Row y is
 // valid for y in [-1, height], x in [-16, width + 16).
 
+#include <algorithm>
+
 #include "core/base/field.h"
 
 namespace pentimento::conservative {
@@ -17,8 +19,7 @@ class WorkPlane {
   const float* row(int y) const { return storage_.row(y + 1) + kSide; }
   /// Writes zeros in [x0, x1) x [y0, y1).
   void clear(int x0, int x1, int y0, int y1) {
-    for (int y = y0; y < y1; ++y)
-      for (int x = x0; x < x1; ++x) row(y)[x] = 0;
+    for (int y = y0; y < y1; ++y) std::fill(row(y) + x0, row(y) + x1, 0.0f);
   }
   friend void swap(WorkPlane& a, WorkPlane& b) noexcept {
     std::swap(a.width_, b.width_);

@@ -26,7 +26,6 @@ Workspace::Workspace(const CanvasGeometry& g) : solver(g.width, g.height) {
 
 void Workspace::clear(const CellBox& box) {
   for_planes(*this, [&](WorkPlane& p) { p.clear(box.x0, box.x1, box.y0, box.y1); });
-  solver.clear(box.x0, box.x1, box.y0, box.y1);
 }
 
 }  // namespace pentimento::conservative

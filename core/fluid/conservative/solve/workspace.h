@@ -1,7 +1,7 @@
 #pragma once
 // The planes of one step of the conservative scheme that more than one pass needs. All are zero
-// where the canvas sleeps. Nodes of the velocity: x nodes are the right faces of cells, y nodes the
-// lower faces.
+// where the canvas sleeps, those of the solver also in tiles that are not live. Nodes of the
+// velocity: x nodes are the right faces of cells, y nodes the lower faces.
 
 #include "core/canvas/canvas_state.h"
 #include "core/fluid/conservative/solve/multigrid.h"
@@ -24,6 +24,7 @@ struct NodePlanes {
 
 struct Workspace {
   explicit Workspace(const CanvasGeometry& g);
+  /// Writes zeros on all planes but the solver's.
   void clear(const CellBox& box);
 
   NodePlanes x, y;

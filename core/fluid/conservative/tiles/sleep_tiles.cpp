@@ -61,7 +61,8 @@ SleepTiles::SleepTiles(const CanvasGeometry& geometry, float tile_m)
       rows_((height_ + tile_height_ - 1) / tile_height_),
       awake_(static_cast<std::size_t>(count()), 0),
       was_awake_(awake_),
-      disturbed_(awake_) {}
+      disturbed_(awake_),
+      moving_(awake_) {}
 
 CellBox SleepTiles::box(int tile) const {
   const int x0 = tile % columns_ * tile_width_;
@@ -178,7 +179,7 @@ void SleepTiles::rest_fresh(CanvasState& state, const StepInput& in) const {
 
 std::vector<int> SleepTiles::wake(const CanvasState& state, const StepInput& in) {
   was_awake_ = awake_;
-  std::fill(disturbed_.begin(), disturbed_.end(), std::uint8_t{0});
+  std::fill(moving_.begin(), moving_.end(), std::uint8_t{0});
   const bool remembers = state.sleep.size() == awake_.size() * kSleepValues;
   for (std::size_t tile = 0; tile < awake_.size(); ++tile)
     awake_[tile] = !remembers || state.sleep[tile * kSleepValues + kAsleep] == 0;
@@ -194,13 +195,14 @@ std::vector<int> SleepTiles::wake(const CanvasState& state, const StepInput& in)
   moves_ = false;
   for (std::size_t k = 0; k < motion.size(); ++k) {
     travel_cells_ = std::max({travel_cells_, motion[k].travel_x, motion[k].travel_y});
-    disturbed_[static_cast<std::size_t>(list_[k])] = !motion[k].box.empty();
+    moving_[static_cast<std::size_t>(list_[k])] = !motion[k].box.empty();
     moves_ |= !motion[k].box.empty();
     wake_around(motion[k]);
   }
+  disturbed_ = moving_;
   wake_touched(in.contact);
   list_awake();
-  list_runs();
+  runs_ = runs_of(awake_);
   list_strips();
 
   std::vector<int> gone;
@@ -233,23 +235,24 @@ void SleepTiles::list_awake() {
     if (awake_[static_cast<std::size_t>(tile)]) list_.push_back(tile);
 }
 
-void SleepTiles::list_runs() {
-  runs_.clear();
+std::vector<Run> SleepTiles::runs_of(const std::vector<std::uint8_t>& tiles) const {
+  std::vector<Run> runs;
   for (int row = 0; row < rows_; ++row) {
-    const std::size_t first = runs_.size();
+    const std::size_t first = runs.size();
     const int y0 = row * tile_height_;
     for (int column = 0; column < columns_; ++column) {
-      if (!awake(column, row)) continue;
+      if (!tiles[static_cast<std::size_t>(row * columns_ + column)]) continue;
       const CellBox b = box(row * columns_ + column);
-      if (runs_.size() > first && runs_.back().x1 == b.x0)
-        runs_.back().x1 = b.x1;
+      if (runs.size() > first && runs.back().x1 == b.x0)
+        runs.back().x1 = b.x1;
       else
-        runs_.push_back({y0, b.x0, b.x1});
+        runs.push_back({y0, b.x0, b.x1});
     }
-    const std::size_t end = runs_.size();
+    const std::size_t end = runs.size();
     for (int y = y0 + 1; y < std::min(y0 + tile_height_, height_); ++y)
-      for (std::size_t k = first; k < end; ++k) runs_.push_back({y, runs_[k].x0, runs_[k].x1});
+      for (std::size_t k = first; k < end; ++k) runs.push_back({y, runs[k].x0, runs[k].x1});
   }
+  return runs;
 }
 
 void SleepTiles::list_strips() {

@@ -50,6 +50,10 @@ class SleepTiles {
   bool moves() const { return moves_; }
   double awake_share() const { return static_cast<double>(list_.size()) / count(); }
   const std::vector<int>& awake_tiles() const { return list_; }
+  /// Whether any paint of a tile moves at the start of the step. Known after wake().
+  bool moves(int tile) const { return moving_[static_cast<std::size_t>(tile)] != 0; }
+  /// The cells of the tiles whose flag is not 0, as runs.
+  std::vector<Run> runs_of(const std::vector<std::uint8_t>& tiles) const;
 
   /// Puts all tiles of a fresh canvas (StepInput::fresh) to sleep, as a step that computed them all
   /// would do where no paint is wet.
@@ -98,7 +102,6 @@ class SleepTiles {
   void wake_touched(const BrushContact& contact);
   void wake_by_gravity(const CanvasState& state, const StepInput& in);
   void list_awake();
-  void list_runs();
   void list_strips();
 
   int width_, height_;
@@ -106,6 +109,7 @@ class SleepTiles {
   int tile_width_, tile_height_, columns_, rows_;
   std::vector<std::uint8_t> awake_, was_awake_;
   std::vector<std::uint8_t> disturbed_;  // touched, or with moving paint at the start of the step
+  std::vector<std::uint8_t> moving_;     // with moving paint at the start of the step
   float travel_cells_ = 0;
   bool moves_ = false;
   std::vector<int> list_;

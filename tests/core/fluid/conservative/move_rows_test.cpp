@@ -27,7 +27,7 @@ Basin moving(float speed) {
       b.state.velocity_y_m_s(x, y) = speed * to_m_s * std::cos(0.17f * phase);
       if (y < 60 || y > 80 || x < 200 || x > 260) continue;
       b.contact.push_x_m(x, y) = 4e-4f;
-      b.contact.push_y_m(x, y) = -3e-4f * wave;
+      b.contact.push_y_m(x, y) = (x < 230 ? 3e-4f : -3e-4f) * wave;
     }
   b.contact.touch(200, 261, 60, 81);
   return b;

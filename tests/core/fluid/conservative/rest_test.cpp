@@ -76,5 +76,88 @@ TEST(ConservativeScheme, WhereNothingMovesAStepDoesWithoutMomentumAndViscosityAt
   EXPECT_TRUE(same_bits(left(skipping.state.velocity_y_m_s), left(whole.state.velocity_y_m_s)));
 }
 
+// A heap of paint that its pigment makes too stiff to give way. If `drop_m` is not 0, a pool of oil
+// lies in the same tile, with a drop on it that is so much higher.
+Basin stiff_heap(float drop_m) {
+  Basin b({64, 64, 64.0 / 1024, 64.0 / 1024});
+  for (int y = 4; y < 14; ++y)
+    for (int x = 4; x < 14; ++x) {
+      b.state.depth_m(x, y) = 0.001f + 0.0001f * static_cast<float>((x * 7 + y * 5) % 11);
+      b.state.channel(0, 0)(x, y) = 20 * b.state.depth_m(x, y);
+    }
+  if (drop_m > 0)
+    for (int y = 20; y < 28; ++y)
+      for (int x = 20; x < 28; ++x) b.state.depth_m(x, y) = 0.002f;
+  b.state.depth_m(23, 23) += drop_m;
+  b.gravity_m_s2 = {-2, -3, 9};
+  return b;
+}
+
+TEST(ConservativeScheme, WherePaintGivesWayToNothingAStepDoesWithoutSolvesAtEqualBits) {
+  Basin skipping = stiff_heap(0), whole = stiff_heap(0.001f);
+  std::vector<std::string> passes, of_whole;
+  skipping.scheme.on_pass([&](const char* pass) { passes.emplace_back(pass); });
+  whole.scheme.on_pass([&](const char* pass) { of_whole.emplace_back(pass); });
+  for (int i = 0; i < 3; ++i) {
+    skipping.state.sleep.clear();  // awake in every step
+    whole.state.sleep.clear();
+    skipping.step();
+    whole.step();
+  }
+  EXPECT_EQ(std::count(passes.begin(), passes.end(), "height"), 0);
+  EXPECT_EQ(std::count(of_whole.begin(), of_whole.end(), "height"), 3) << "oil runs beside it";
+  EXPECT_GT(highest(whole.state.velocity_x_m_s), 0.0f);
+  const auto corner = [](const Field<float>& plane) {
+    Field<float> cells(16, 16);
+    for (int y = 0; y < 16; ++y) std::copy_n(plane.row(y), 16, cells.row(y));
+    return cells;
+  };
+  for (const auto plane :
+       {&CanvasState::depth_m, &CanvasState::velocity_x_m_s, &CanvasState::velocity_y_m_s})
+    EXPECT_TRUE(same_bits(corner(skipping.state.*plane), corner(whole.state.*plane)));
+  EXPECT_EQ(highest(skipping.state.velocity_y_m_s), 0.0f);
+}
+
+TEST(ConservativeScheme, StiffPaintThatMovesIsSlowedDown) {
+  Basin b = stiff_heap(0);
+  b.state.velocity_x_m_s(8, 8) = 0.02f;
+  b.step();
+  EXPECT_LT(highest(b.state.velocity_x_m_s), 0.01f) << "by its neighbours and the bed";
+}
+
+TEST(ConservativeScheme, AStepDependsOnTheStateAlone) {
+  // Two pools, each over the border of two tiles, which share only coarse cells. The first comes to
+  // rest while the second still runs. What the solves left behind in its tiles must not reach the
+  // second: a scheme that has seen nothing of it takes the same steps.
+  Basin b({256, 256, 0.25, 0.25});
+  for (int y = 0; y < 12; ++y)
+    for (int x = 0; x < 12; ++x) {
+      b.state.depth_m(58 + x, 10 + y) = x < 6 ? 0.008f : 0.002f;
+      b.state.depth_m(122 + x, 74 + y) = 0.003f + 0.001f * static_cast<float>((x * 7 + y * 5) % 11);
+    }
+  int all_awake = 0, second_awake = 0;
+  for (int i = 0; i < 30; ++i) {
+    Basin fresh(b.state.geometry);
+    fresh.state = clone_state(b.state);
+    b.step();
+    fresh.step();
+    for (const auto plane :
+         {&CanvasState::depth_m, &CanvasState::velocity_x_m_s, &CanvasState::velocity_y_m_s})
+      ASSERT_TRUE(same_bits(b.state.*plane, fresh.state.*plane)) << "step " << i;
+    all_awake += b.scheme.awake_share() == 4.0 / 64 ? 1 : 0;
+    second_awake += b.scheme.awake_share() == 2.0 / 64 ? 1 : 0;
+  }
+  EXPECT_GT(all_awake, 3);
+  EXPECT_GT(second_awake, 3);
+}
+
+TEST(ConservativeScheme, StiffPaintIsSolvedForWhereGravityMovesItToo) {
+  Basin b = stiff_heap(0);
+  b.model.phi_scales_lateral = false;  // reading (b) of A7: stiff paint slides
+  b.model.velocity_threshold_m_s = 0;  // however slowly
+  b.step();
+  EXPECT_GT(highest(b.state.velocity_y_m_s), 0.0f);
+}
+
 }  // namespace
 }  // namespace pentimento::conservative

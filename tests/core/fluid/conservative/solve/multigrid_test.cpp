@@ -70,29 +70,5 @@ TEST(Multigrid, SolvesATinySystemByHand) {
   EXPECT_NEAR(solver.solution().row(0)[1], 1.0f, 1e-5f);
 }
 
-TEST(Multigrid, BandsGiveWhatPlainPassesGive) {
-  // for_stages against the definition: a stage sees the stage before of three rows.
-  // One band, and bands as low as they get.
-  for (const int height : {1, 7, 20, 63, 1063}) {
-    const int rows = height > 1000 ? height : 1;
-    std::vector<conservative::Run> runs;
-    for (int y = 0; y < height; ++y) runs.push_back({y, 0, 30});
-    const RunIndex index(runs, height);
-    const int stages = 6;
-    std::vector<int> done(static_cast<std::size_t>(height), 0);
-    for_stages_in(rows, Threads(), index, stages, [&](int stage, const conservative::Run& r) {
-      const auto state = [&](int y) { return done[static_cast<std::size_t>(y)]; };
-      EXPECT_EQ(state(r.y), stage);
-      for (const int y : {r.y - 1, r.y + 1}) {
-        if (y < 0 || y >= height || stage == 0) continue;
-        EXPECT_GE(state(y), stage);
-        EXPECT_LE(state(y), stage + 1);
-      }
-      ++done[static_cast<std::size_t>(r.y)];
-    });
-    for (const int stage : done) EXPECT_EQ(stage, stages);
-  }
-}
-
 }  // namespace
 }  // namespace pentimento::conservative
