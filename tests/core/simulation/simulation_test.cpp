@@ -534,5 +534,17 @@ TEST(Simulation, TheSlidersAtZeroMakeABlender) {
   EXPECT_GT(carried, 1e-5);
 }
 
+TEST(Simulation, DryingASecondTimeKeepsTheReliefOfTheFirst) {
+  const Threads threads(1);
+  Simulation sim(setup_of(128, 2), threads);
+  for (int times = 0; times < 2; ++times) {
+    paint_crossing(sim);
+    const float height_m = sim.state().base_m(32, 29) + sim.state().depth_m(32, 29);
+    ASSERT_GT(sim.state().depth_m(32, 29), 0.0f);
+    sim.dry();
+    EXPECT_FLOAT_EQ(sim.state().base_m(32, 29), height_m) << times;
+  }
+}
+
 }  // namespace
 }  // namespace pentimento

@@ -53,5 +53,24 @@ TEST_F(ReleasedBlocksTest, ACellStampedBeforeAClearIsNewAfterIt) {
   EXPECT_EQ(left[0].at.x0, 11);
 }
 
+TEST_F(ReleasedBlocksTest, GoOnFromWhatWasStamped) {
+  // One block of the step before, one of this step.
+  left_.stamped({10, 11, 5, 6}, {1, 0});
+  left_.step();
+  left_.stamped({20, 21, 7, 8}, {0, 1});
+  ReleasedBlocks later{DetailLayout({80, 60, 0.1, 0.1}, 4)};
+  later.restore(left_.stamped());
+  EXPECT_EQ(later.stamped(), left_.stamped());
+  for (ReleasedBlocks* blocks : {&left_, &later}) {
+    const std::vector<ReleasedBlock> first = blocks->step();
+    ASSERT_EQ(first.size(), 1u);
+    EXPECT_EQ(first[0].at.x0, 10);
+    const std::vector<ReleasedBlock> rest = blocks->step();
+    ASSERT_EQ(rest.size(), 1u);
+    EXPECT_EQ(rest[0].at.x0, 20);
+    EXPECT_EQ(rest[0].way.y, 1);
+  }
+}
+
 }  // namespace
 }  // namespace pentimento

@@ -279,5 +279,15 @@ TEST(Interface, APictureHasTheGroundsOfItsColours) {
   }
 }
 
+TEST(PaintMaker, APictureBrighterThanWhiteIsWhite) {
+  const PaintMaker& maker = eye().maker();
+  std::array<Field<float>, 3> rgb;
+  for (Field<float>& plane : rgb) {
+    plane = Field<float>(2, 1, 1.0f);
+    plane(1, 0) = 4;
+  }
+  for (const Field<float>& plane : maker.substrate(rgb)) EXPECT_EQ(plane(1, 0), plane(0, 0));
+}
+
 }  // namespace
 }  // namespace pentimento
