@@ -1,11 +1,12 @@
 """Runs the fuzzer on each of its targets, beginning with the kept inputs.
 
-  fuzz.py FUZZER CORPUS FINDS [--seconds S] [--runs N] [--only TARGET]
+  fuzz.py FUZZER CORPUS FINDS [--seconds S] [--runs N] [--only TARGET] [--record FILE] [--patience N]
 
 FUZZER: the program pentimento_fuzz. CORPUS: the kept inputs, a folder for each target. FINDS: where inputs
 go that do harm, and new ones that reach more of the code. For each target a line says how many inputs were
 tried, the processor time that took, and how many edges of the code they reached. Ends with 1 if any did
-harm.
+harm. S seconds are processor time: on a busy machine they take longer. FILE: where record.py adds the runs up.
+N: an input may take N times as long as on a quiet machine before it counts as one that hangs.
 
 An input that ends HDF5 itself is no harm if a user's file is safe from it: if reading it in a child says in
 one line what is wrong, or if nothing has been read yet. The line counts them.
@@ -18,15 +19,19 @@ import re
 import resource
 import subprocess
 import sys
-import time
 
-LIMITS = ["-rss_limit_mb=1024", "-malloc_limit_mb=512", "-timeout=10", "-print_final_stats=1"]
+import record
+
+LIMITS = ["-rss_limit_mb=1024", "-malloc_limit_mb=512", "-print_final_stats=1"]
+# An input that takes longer than this hangs, seconds.
+LONGEST_S = {"replay": 60}  # the first use of each brush draws its tip, which takes seconds
+LONGEST_OF_OTHERS_S = 10
 # Read by a library that does not withstand every file, and therefore by users' runs in a child first.
 BY_CHILD = ("dump", "dump-edits")
 MORE = {
     "dump": ["-max_len=65536", "-detect_leaks=0"],  # the library loses memory when it gives up on a file
     "dump-edits": ["-max_len=256", "-detect_leaks=0"],
-    "replay": ["-max_len=512", "-timeout=60"],  # the first use of each brush draws its tip, which takes seconds
+    "replay": ["-max_len=512"],
 }
 FRAME = re.compile(r"^ +#\d+ ", re.MULTILINE)
 
@@ -89,12 +94,12 @@ def run(fuzzer, target, corpus, finds, options):
     new = finds / target
     new.mkdir(parents=True, exist_ok=True)
     tally = Tally()
-    end = time.monotonic() + options.seconds
+    longest_s = options.patience * LONGEST_S.get(target, LONGEST_OF_OTHERS_S)
     seed = options.seed
     harm = None
     # What ends the library ends the fuzzer too, which begins again with another seed.
-    while harm is None and (left := end - time.monotonic()) > 0:
-        arguments = [*LIMITS, *MORE.get(target, ["-max_len=65536"]), f"-max_total_time={int(left) + 1}", f"-seed={seed}",
+    while harm is None and (left := options.seconds - tally.cpu_s) > 0:
+        arguments = [*LIMITS, f"-timeout={longest_s}", *MORE.get(target, ["-max_len=65536"]), f"-max_total_time={int(left) + 1}", f"-seed={seed}",
                      f"-artifact_prefix={finds / target}-", str(new), str(corpus / target)]
         dictionary = corpus.parent / "words" / f"{target}.txt"
         if dictionary.exists():
@@ -104,15 +109,18 @@ def run(fuzzer, target, corpus, finds, options):
         before = cpu_s()
         done = call(fuzzer, target, arguments)
         tally.add(done.stderr, cpu_s() - before)
-        if done.returncode == 0:
-            break
         seed += 1
-        if ended_by_editing(done.stderr):
+        if done.returncode == 0:
+            if options.runs:
+                break
+        elif ended_by_editing(done.stderr):
             tally.editing += 1
         elif held_by_child(fuzzer, target, done):
             tally.library += 1
         else:
             harm = done.stderr
+    if options.record:
+        record.add(options.record, target, tally.inputs, tally.cpu_s, tally.edges, int(harm is not None))
     print(f"{target}: {'no harm' if harm is None else 'HARM'}; {tally.text()}", flush=True)
     if harm is not None:
         print(harm[-4000:], flush=True)
@@ -124,10 +132,12 @@ def main():
     parser.add_argument("fuzzer")
     parser.add_argument("corpus", type=pathlib.Path)
     parser.add_argument("finds", type=pathlib.Path)
-    parser.add_argument("--seconds", type=int, default=600, help="for each target")
+    parser.add_argument("--seconds", type=int, default=600, help="of processor time, for each target")
     parser.add_argument("--runs", type=int, help="inputs for each target, at most")
     parser.add_argument("--only", default="all", help="one target, or `all`")
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--record", type=pathlib.Path, help="a JSON file that the runs are added to")
+    parser.add_argument("--patience", type=int, default=1)
     options = parser.parse_args()
     targets = call(options.fuzzer, "list", []).stdout.split()
     if options.only != "all":
