@@ -99,7 +99,8 @@ def run(fuzzer, target, corpus, finds, options):
     harm = None
     # What ends the library ends the fuzzer too, which begins again with another seed.
     while harm is None and (left := options.seconds - tally.cpu_s) > 0:
-        arguments = [*LIMITS, f"-timeout={longest_s}", *MORE.get(target, ["-max_len=65536"]), f"-max_total_time={int(left) + 1}", f"-seed={seed}",
+        arguments = [*LIMITS, f"-timeout={longest_s}", *MORE.get(target, ["-max_len=65536"]),
+                     f"-max_total_time={int(left) + 1}", f"-seed={seed}",
                      f"-artifact_prefix={finds / target}-", str(new), str(corpus / target)]
         dictionary = corpus.parent / "words" / f"{target}.txt"
         if dictionary.exists():

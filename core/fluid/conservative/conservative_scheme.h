@@ -68,8 +68,8 @@ class ConservativeScheme : public FluidScheme {
 
   CanvasGeometry geometry_;
   std::unique_ptr<SleepTiles> tiles_;  // made at the first step: their size is a parameter
-  LiveTiles live_;
-  float sleep_tile_m_ = 0;  // that parameter then; 0 before the first step
+  float sleep_tile_m_ = 0;             // that parameter then; 0 before the first step
+  LiveTiles live_;                     // of this step
   Workspace work_;
   std::function<void(const char*)> passed_;
   BrushContact untouched_;  // of no size: the brush touches nothing in the later parts of a step

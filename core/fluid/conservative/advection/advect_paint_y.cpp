@@ -130,6 +130,7 @@ class PaintStream {
     // How far each edge moves, for the whole batch.
     edges_.fill(state_, in_, b, strip_width_);
     const int height = b.height();
+    // A listener is told of edges at rest, too.
     if (in_.listener == nullptr && !edges_.any_moves(0, height)) return;
     // Down the rows. Each turn finds what leaves row r, while rows r - 1 and r + 1 are still as
     // they were, and then writes row r - 1, for which all that comes in is known.

@@ -3,7 +3,7 @@
 // of V-cycles. It never takes a norm and sums nothing over the grid, so the result is a fixed
 // expression of the input: the same bits for any number of threads.
 //
-// Nodes that are asleep must hold zeros on all planes; clear() sets them. The couplings to them are
+// Nodes beyond the runs must hold zeros on all planes; clear() sets them. The couplings to them are
 // 0.
 
 #include <functional>

@@ -15,7 +15,7 @@ struct RowSpan {
   int y0 = 0, y1 = 0;
 };
 
-/// The runs of a grid with an index by row.
+/// The runs of a grid, row after row, with an index by row.
 class RunIndex {
  public:
   RunIndex() = default;

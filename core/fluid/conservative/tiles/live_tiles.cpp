@@ -1,5 +1,7 @@
 #include "core/fluid/conservative/tiles/live_tiles.h"
 
+#include <algorithm>
+
 namespace pentimento::conservative {
 
 void LiveTiles::find(const SleepTiles& tiles, const Threads& threads,
