@@ -29,7 +29,7 @@ struct PictureOptions {
   std::vector<std::string> lamps;
   std::string white_point, tone_curve;
   std::optional<double> exposure, varnish, occlusion;
-  int bit_depth = 8, tile = 1024, threads = 0;
+  int bit_depth = 8, tile = kPictureTile, threads = 0;
   bool full_float = false, no_clobber = false, soft_environment = false;
 
   void add_to(CLI::App& app);

@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "core/base/check.h"
+#include "core/base/plane_memory.h"
 
 namespace pentimento {
 
@@ -53,14 +54,19 @@ template <typename T>
 class Field {
  public:
   Field() = default;
-  Field(int width, int height, T value = T{}) : width_(width), height_(height) {
-    PENTIMENTO_CHECK(width >= 0 && height >= 0);
-    constexpr std::size_t kPerLine = kAlignment / sizeof(T);
-    stride_ = static_cast<std::ptrdiff_t>((static_cast<std::size_t>(width) + kPerLine - 1) /
-                                          kPerLine * kPerLine);
+  Field(int width, int height, T value = T{}) {
+    shape(width, height);
     data_ = zeros(count() * sizeof(T));
     const T zero{};
     if (std::memcmp(&value, &zero, sizeof(T)) != 0) fill(value);
+  }
+  /// Zeros in memory that the planes around it share, while there is any.
+  Field(int width, int height, PlaneMemory& memory) {
+    shape(width, height);
+    const std::size_t bytes = count() * sizeof(T);
+    void* const shared = bytes > 0 ? memory.take(bytes) : nullptr;
+    data_ = shared != nullptr ? Plane(static_cast<T*>(shared), Free{nullptr, memory.mapping()})
+                              : zeros(bytes);
   }
 
   /// A copy, which takes memory only where there are values other than zero.
@@ -101,9 +107,19 @@ class Field {
   static_assert(std::is_trivially_copyable_v<T>, "a plane is copied, and made, as bytes");
   struct Free {
     void* allocated = nullptr;  // by calloc; the plane begins at the first multiple of kAlignment
+    std::shared_ptr<void> shared = {};  // or what the plane is part of
     void operator()(T*) const { std::free(allocated); }
   };
   using Plane = std::unique_ptr<T[], Free>;
+
+  void shape(int width, int height) {
+    PENTIMENTO_CHECK(width >= 0 && height >= 0);
+    constexpr std::size_t kPerLine = kAlignment / sizeof(T);
+    width_ = width;
+    height_ = height;
+    stride_ = static_cast<std::ptrdiff_t>((static_cast<std::size_t>(width) + kPerLine - 1) /
+                                          kPerLine * kPerLine);
+  }
 
   /// Zeros. A large plane gets its pages from the system, which are zero and take no memory until
   /// they are written to.
@@ -113,7 +129,7 @@ class Field {
     void* const allocated = std::calloc(space, 1);
     if (allocated == nullptr) throw std::bad_alloc();
     void* begin = allocated;
-    return Plane(static_cast<T*>(std::align(kAlignment, bytes, begin, space)), Free{allocated});
+    return Plane(static_cast<T*>(std::align(kAlignment, bytes, begin, space)), Free{allocated, {}});
   }
 
   static bool is_zero(const unsigned char* bytes, std::size_t length) {

@@ -15,8 +15,12 @@ CanvasState make_canvas_state(const CanvasGeometry& geometry, int layers, int ch
                               float white) {
   PENTIMENTO_CHECK(geometry.width > 0 && geometry.height > 0);
   PENTIMENTO_CHECK(layers >= 1 && layers <= 8 && channels >= 0 && bands >= 1);
+  constexpr int kOthers = 6;  // planes besides those of bands and channels
+  PlaneMemory memory(kOthers + bands + layers * channels, geometry.width, geometry.height);
   const auto plane = [&](float value) {
-    return Field<float>(geometry.width, geometry.height, value);
+    Field<float> made(geometry.width, geometry.height, memory);
+    if (value != 0) made.fill(value);
+    return made;
   };
   CanvasState s;
   s.geometry = geometry;
@@ -30,7 +34,7 @@ CanvasState make_canvas_state(const CanvasGeometry& geometry, int layers, int ch
   s.paper_m = plane(0);
   for (int b = 0; b < bands; ++b) s.reflectance.push_back(plane(white));
   for (int i = 0; i < layers * channels; ++i) s.pigment.push_back(plane(0));
-  s.stroke = Field<std::uint32_t>(geometry.width, geometry.height);
+  s.stroke = Field<std::uint32_t>(geometry.width, geometry.height, memory);
   return s;
 }
 

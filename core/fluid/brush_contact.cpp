@@ -1,14 +1,16 @@
 #include "core/fluid/brush_contact.h"
 
 #include <algorithm>
+#include <initializer_list>
 
 namespace pentimento {
 
 BrushContact make_brush_contact(int width, int height) {
   BrushContact c;
-  for (Field<float>* f :
-       {&c.weight, &c.velocity_x_m_s, &c.velocity_y_m_s, &c.push_x_m, &c.push_y_m})
-    *f = Field<float>(width, height);
+  const std::initializer_list<Field<float>*> planes = {&c.weight, &c.velocity_x_m_s,
+                                                       &c.velocity_y_m_s, &c.push_x_m, &c.push_y_m};
+  PlaneMemory memory(static_cast<int>(planes.size()), width, height);
+  for (Field<float>* f : planes) *f = Field<float>(width, height, memory);
   return c;
 }
 

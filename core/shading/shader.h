@@ -16,6 +16,7 @@
 #include "core/optics/edge_coverage.h"
 #include "core/optics/lighting.h"
 #include "core/shading/picture.h"
+#include "core/shading/tile_plan.h"
 
 namespace pentimento {
 
@@ -28,7 +29,7 @@ struct ShadeRequest {
   int crop_y = 0;
   int crop_width = 0;
   int crop_height = 0;
-  int tile = 1024;  // side of a tile without its border; smaller where memory asks
+  int tile = kPictureTile;  // side of a tile without its border; smaller where memory asks
   /// Slopes per cell and axis whose light a cell's is the mean of, where pixels are no smaller than
   /// cells: 2, or 1, which is faster and glitters more.
   int relief_samples = 2;

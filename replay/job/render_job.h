@@ -42,7 +42,7 @@ struct PictureChoice {
   std::vector<std::string> aovs;
   std::optional<DebugView> debug_view;     // in place of the lit picture
   std::optional<std::array<int, 4>> crop;  // x, y, width, height in pixels of the whole picture
-  int tile = 1024;
+  int tile = kPictureTile;
   GlBackend backend = GlBackend::kAuto;
   bool no_clobber = false;
 };

@@ -74,9 +74,9 @@ void restrict_residual(const Level& fine, Level& coarse, const Run& r) {
 Multigrid::Multigrid(int width, int height) : ones_(static_cast<std::size_t>(width), 1.0f) {
   for (int w = width, h = height;; w = (w + 1) / 2, h = (h + 1) / 2) {
     Level& level = levels_.emplace_back();
-    for (WorkPlane* p :
-         {&level.cx, &level.cy, &level.z, &level.inverse, &level.rhs, &level.x, &level.other})
-      *p = WorkPlane(w, h);
+    const auto planes = level.planes();
+    PlaneMemory memory = WorkPlane::memory_for(static_cast<int>(planes.size()), w, h);
+    for (WorkPlane* p : planes) *p = WorkPlane(w, h, memory);
     if (w <= 2 && h <= 2) break;
   }
 }
@@ -92,9 +92,7 @@ void Multigrid::set_runs(const std::vector<Run>& runs) {
 
 void Multigrid::clear(int x0, int x1, int y0, int y1) {
   for (Level& level : levels_) {
-    for (WorkPlane* p :
-         {&level.cx, &level.cy, &level.z, &level.inverse, &level.rhs, &level.x, &level.other})
-      p->clear(x0, x1, y0, y1);
+    for (WorkPlane* p : level.planes()) p->clear(x0, x1, y0, y1);
     x0 /= 2;
     y0 /= 2;
     x1 = (x1 + 1) / 2;

@@ -6,6 +6,7 @@
 // Nodes beyond the runs must hold zeros on all planes; clear() sets them. The couplings to them are
 // 0.
 
+#include <array>
 #include <functional>
 #include <vector>
 
@@ -58,6 +59,7 @@ class Multigrid {
     RunIndex index;
     const float* ones = nullptr;  // in place of every row of z; nullptr: z is read
 
+    std::array<WorkPlane*, 7> planes() { return {&cx, &cy, &z, &inverse, &rhs, &x, &other}; }
     const float* z_row(int y) const { return ones != nullptr ? ones : z.row(y); }
   };
   Level& level(int l) { return levels_[static_cast<std::size_t>(l)]; }

@@ -11,8 +11,12 @@ namespace pentimento::conservative {
 class WorkPlane {
  public:
   WorkPlane() = default;
-  WorkPlane(int width, int height)
-      : width_(width), height_(height), storage_(width + 2 * kSide, height + 2) {}
+  WorkPlane(int width, int height, PlaneMemory& memory)
+      : width_(width), height_(height), storage_(width + 2 * kSide, height + kEnds, memory) {}
+  /// Memory for so many planes of that size.
+  static PlaneMemory memory_for(int planes, int width, int height) {
+    return {planes, width + 2 * kSide, height + kEnds};
+  }
   int width() const { return width_; }
   int height() const { return height_; }
   float* row(int y) { return storage_.row(y + 1) + kSide; }
@@ -29,6 +33,7 @@ class WorkPlane {
 
  private:
   static constexpr int kSide = 16;  // one cache line of floats: rows stay aligned
+  static constexpr int kEnds = 2;   // rows above and below
   int width_ = 0;
   int height_ = 0;
   Field<float> storage_;

@@ -18,7 +18,10 @@ void for_planes(Workspace& w, const Visit& visit) {
 }  // namespace
 
 Workspace::Workspace(const CanvasGeometry& g) : solver(g.width, g.height) {
-  for_planes(*this, [&](WorkPlane& p) { p = WorkPlane(g.width, g.height); });
+  int planes = 0;
+  for_planes(*this, [&](const WorkPlane&) { ++planes; });
+  PlaneMemory memory = WorkPlane::memory_for(planes, g.width, g.height);
+  for_planes(*this, [&](WorkPlane& p) { p = WorkPlane(g.width, g.height, memory); });
   // Beyond the canvas, beside the nodes of faces that stand on its edge: slip, not a wall.
   for (int i = 0; i < g.width; ++i) x.depth_m.row(-1)[i] = x.depth_m.row(g.height)[i] = -1;
   for (int j = 0; j < g.height; ++j) y.depth_m.row(j)[-1] = y.depth_m.row(j)[g.width] = -1;
