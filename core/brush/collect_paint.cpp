@@ -168,9 +168,8 @@ void collect_picked_up(const PickedUpPaint& picked_up, const TipPose& pose, cons
   for (int y = 0; y < box.height; ++y) {
     const TipRow row = tip_row(pose, box, geometry, box.y + y);
     const TouchedCells& cells = picked_up.rows[static_cast<std::size_t>(y)];
-    for (int x = cells.begin; x < cells.end; ++x) {
-      const float* paint =
-          picked_up.paint.data() + (static_cast<std::ptrdiff_t>(y) * box.width + x) * stride;
+    const float* paint = picked_up.paint.data() + cells.at * static_cast<std::size_t>(stride);
+    for (int x = cells.begin; x < cells.end; ++x, paint += stride) {
       if (is_nothing(paint, stride)) continue;
       const float at_u = (row.u(x) + 0.5f) * kReservoirColumns - 0.5f;
       const float at_v = (row.v(x) + 0.5f) * kReservoirRows - 0.5f;

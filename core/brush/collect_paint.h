@@ -6,19 +6,15 @@
 
 #include "core/brush/reservoir.h"
 #include "core/brush/tip_pose.h"
+#include "core/brush/touched_cells.h"
 
 namespace pentimento {
 
-/// The cells [begin, end) of a row of a box that the tip touches.
-struct TouchedCells {
-  int begin = 0, end = 0;
-};
-
-/// Paint picked up from the cells of a box: `stride` floats per cell, row by row.
+/// Paint picked up from the cells of a box: `stride` floats for each touched cell.
 struct PickedUpPaint {
   std::span<const float> paint;
   int stride = 4;
-  std::span<const TouchedCells> rows;  // touched cells; the paint of the others is undefined
+  std::span<const TouchedCells> rows;  // of the box
 };
 
 /// Divides each cell's paint among the texels of the reservoir near it. The weights are tents as

@@ -90,7 +90,7 @@ void cut_to(float at, float step, float half, TipFootprint::CellSpan& cells) {
 /// Positions of a row of cells in the map, in texels.
 struct MapRow {
   float x0, y0, dx, dy;
-  float last_x, last_y;  // the last positions that have a neighbour
+  float last_x, first_y, last_y;  // positions that have a neighbour
 };
 
 PENTIMENTO_KERNEL
@@ -102,7 +102,7 @@ void read_row(const float* map, int stride, const MapRow& at, int first, int n,
     const float x = r.x0 + r.dx * static_cast<float>(first + i);
     const float y = r.y0 + r.dy * static_cast<float>(first + i);
     const float cx = std::min(std::max(x, 0.0f), r.last_x);
-    const float cy = std::min(std::max(y, 0.0f), r.last_y);
+    const float cy = std::min(std::max(y, r.first_y), r.last_y);
     const int ix = static_cast<int>(cx), iy = static_cast<int>(cy);
     const float fx = cx - static_cast<float>(ix), fy = cy - static_cast<float>(iy);
     const int p = iy * stride + ix;
@@ -113,27 +113,21 @@ void read_row(const float* map, int stride, const MapRow& at, int first, int n,
   }
 }
 
-/// Makes a map of at least size x size values and sets those to zero. A larger map stays, so that
-/// stamp after stamp needs no new memory.
-void make_room(Field<float>& map, int size) {
+/// Makes a map of at least size x size values and sets those of some rows to zero. A larger map
+/// stays, so that stamp after stamp needs no new memory.
+void make_room(Field<float>& map, int size, const TipFootprint::CellSpan& rows) {
   if (map.width() < size) {
     map = Field<float>(size, size);
     return;
   }
-  for (int y = 0; y < size; ++y) std::fill_n(map.row(y), size, 0.0f);
-}
-
-/// Makes the rows outside of [first, first + rows) zero.
-void clear_around(Field<float>& map, int first, int rows, int size) {
-  for (int y = 0; y < size; ++y)
-    if (y < first || y >= first + rows) std::fill_n(map.row(y), size, 0.0f);
+  for (int y = rows.begin; y < rows.end; ++y) std::fill_n(map.row(y), size, 0.0f);
 }
 }  // namespace
 
 /// The pressed and dried tip, with the margin around it.
 void TipFootprint::blend(const TipLevel& level) {
   const int start = margin_ - 1;  // the tip's own maps have a rim of one zero
-  for (int j = 0; j < size_ + 2; ++j) {
+  for (int j = std::max(0, rows_.begin - start); j < std::min(size_ + 2, rows_.end - start); ++j) {
     float* out = still_.row(start + j) + start;
     blend_row(level.low->padded_row(j), level.high->padded_row(j), level.frac, size_ + 2, out);
     if (level.supply_low == nullptr) continue;
@@ -152,7 +146,9 @@ void TipFootprint::add_footprint(float u_texels, float v_texels, float weight) {
                       weight * tu * tv};
   const int width = width_;
   const int x0 = std::max(kRim, -iu), x1 = std::min(width - kRim, width - 1 - iu);
-  const int y0 = std::max(kRim, -iv), y1 = std::min(width - kRim, width - 1 - iv);
+  // Rows of `still` that do not count are zero.
+  const int y0 = std::max({kRim, rows_.begin, rows_.begin - iv});
+  const int y1 = std::min({width - kRim, rows_.end, rows_.end - 1 - iv});
   for (int y = y0; y < y1; ++y)
     add_shifted_row(still_.row(y + iv) + x0 + iu, still_.row(y + iv + 1) + x0 + iu, w, x1 - x0,
                     map_.row(y) + x0);
@@ -164,12 +160,14 @@ void TipFootprint::average(float texels) {
   const int taps = static_cast<int>(box_weight_.size()), reach = taps / 2;
   const int n = width_ - 2 * reach;
   const std::ptrdiff_t still = still_.view().stride(), map = map_.view().stride();
-  filter_rows({box_weight_.data(), taps, 1, still, map}, still_.row(reach), map_.row(reach) + reach,
-              n, n);
+  // Along the rows: those around stay zero.
+  const int first = rows_.begin + reach, rows = rows_.end - rows_.begin - 2 * reach;
+  filter_rows({box_weight_.data(), taps, 1, still, map}, still_.row(first), map_.row(first) + reach,
+              rows, n);
   std::swap(still_, map_);
-  clear_around(map_, reach, n, width_);
-  filter_rows({box_weight_.data(), taps, map, map, still}, still_.row(0), map_.row(reach), n,
-              width_);
+  // Across them.
+  filter_rows({box_weight_.data(), taps, map, map, still}, still_.row(rows_.begin), map_.row(first),
+              rows, width_);
 }
 
 /// `u_texels`: how far the map reaches beyond the tip itself.
@@ -178,6 +176,10 @@ void TipFootprint::find_halves(const TipExtent& extent, float u_texels, float v_
   const float half = 0.5f * static_cast<float>(size_);
   half_u_ = half * extent.u + u_texels + kAround;
   half_v_ = half * extent.v + v_texels + kAround;
+  // Rows of the map beyond which all is zero, with the rim and what a box of v_texels reads.
+  const float reach = half_v_ + v_texels + kRim, middle = this->middle();
+  rows_ = {std::max(0, static_cast<int>(middle - reach)),
+           std::min(width_, static_cast<int>(middle + reach) + 2)};
 }
 
 void TipFootprint::draw_cells(const StampPlan& plan, float cell_m) {
@@ -187,9 +189,9 @@ void TipFootprint::draw_cells(const StampPlan& plan, float cell_m) {
   const float box = std::sqrt(std::max(0.0f, texels * texels - 3));
   margin_ = kRim + 1 + static_cast<int>(std::ceil(box)) + 1;
   width_ = std::max(size_, kTogether) + 2 * margin_;
-  make_room(still_, width_);
-  make_room(map_, width_);
   find_halves(plan.extent, box, box);
+  make_room(still_, width_, rows_);
+  make_room(map_, width_, rows_);
   blend(level);
   if (box > 0) {
     average(box);
@@ -212,14 +214,14 @@ void TipFootprint::draw_swept(const StampPlan& plan, float cell_m) {
   const float reach = std::max(std::abs(first * du), std::abs(first * dv));
   margin_ = kRim + 2 + static_cast<int>(reach);
   width_ = size_ + 2 * margin_;
-  make_room(still_, width_);
   find_halves(plan.extent, std::abs(first * du), std::abs(first * dv));
+  make_room(still_, width_, rows_);
   blend(level);
   if (prints == 1) {
     std::swap(still_, map_);
     return;
   }
-  make_room(map_, width_);
+  make_room(map_, width_, rows_);
   for (int i = 0; i < prints; ++i) {
     const float at = first + static_cast<float>(i);
     add_footprint(at * du, at * dv, 1 / static_cast<float>(prints));
@@ -237,12 +239,12 @@ TipFootprint::CellSpan TipFootprint::touched_span(const TipRow& tip, int first, 
 
 void TipFootprint::row(const TipRow& tip, int first, std::span<float> out) const {
   const float size = static_cast<float>(size_);
-  const float middle = 0.5f * size - 0.5f + static_cast<float>(margin_);
-  const float last = static_cast<float>(width_ - 2);
-  read_row(
-      map_.row(0), static_cast<int>(map_.view().stride()),
-      {tip.u0 * size + middle, tip.v0 * size + middle, tip.du * size, tip.dv * size, last, last},
-      first, static_cast<int>(out.size()), out.data());
+  const float middle = this->middle();
+  read_row(map_.row(0), static_cast<int>(map_.view().stride()),
+           {tip.u0 * size + middle, tip.v0 * size + middle, tip.du * size, tip.dv * size,
+            static_cast<float>(width_ - 2), static_cast<float>(rows_.begin),
+            static_cast<float>(rows_.end - 2)},
+           first, static_cast<int>(out.size()), out.data());
 }
 
 }  // namespace pentimento

@@ -46,11 +46,15 @@ class TipFootprint {
   void find_halves(const TipExtent& extent, float u_texels, float v_texels);
   void average(float texels);
   void add_footprint(float u_texels, float v_texels, float weight);
+  float middle() const {
+    return 0.5f * static_cast<float>(size_) - 0.5f + static_cast<float>(margin_);
+  }
 
   int size_ = 0;                   // of the tip's map
   int width_ = 0;                  // of the part of the maps that is in use, with margins
   int margin_ = 0;                 // texels around the tip; the outermost two are zero
   float half_u_ = 0, half_v_ = 0;  // texels from the middle; beyond them all is zero
+  CellSpan rows_;                  // of the maps that count; those at their ends are zero
   Field<float> still_;             // the tip unmoved
   Field<float> map_;
   std::vector<float> box_weight_;

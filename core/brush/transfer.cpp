@@ -32,7 +32,7 @@ constexpr float kReachesAll = 2.8f;
 constexpr float kCarries_m = 6e-4f;      // wet paint less deep than that holds bristles up
 constexpr float kLeastRelief_m = 2e-5f;  // a smooth ground catches a dry brush evenly
 
-constexpr int kRowsPerTask = 8;
+constexpr int kRowsPerTask = 8, kBandsPerTask = 4;
 constexpr int kCellsWorthThreads = 3000;  // some 0.2 ms of work; handing out rows costs 10 us
 
 /// 1 for a slow stroke, more for a fast one, which passes over the hollows.
@@ -71,6 +71,11 @@ float dabbed(const Stamp& stamp, const TipExtent& extent) {
   const bool stands = stamp.dab.x != 0 || stamp.dab.y != 0;
   return stands ? std::min(1.0f, extent.u * extent.v / kWholeFilm) : 1.0f;
 }
+
+template <typename T>
+void grow(std::vector<T>& scratch, std::size_t size) {
+  if (scratch.size() < size) scratch.resize(size);
+}
 }  // namespace
 
 Transfer::Transfer(CanvasState& state, BrushContact& contact, PaintAccount& account,
@@ -78,7 +83,7 @@ Transfer::Transfer(CanvasState& state, BrushContact& contact, PaintAccount& acco
     : state_(state),
       contact_(contact),
       account_(account),
-      planes_(state, amount),
+      cells_(state, amount),
       parts_(1 + static_cast<std::size_t>(state.channels)),
       threads_(threads),
       paint_sum_(parts_, 0.0) {}
@@ -91,23 +96,25 @@ void Transfer::apply(const Stamp& stamp, const BrushInHand& hand, const Model& m
   place(stamp, hand, reservoir, plan);
   if (plan.box.empty()) return;
   set_rates(stamp, hand, model, reservoir, plan);
-  planes_.find(state_);
-  prepare(plan.box, plan.stride);
+  prepare(plan.box);
   footprint_.draw_cells(plan, cell_size_m(state_.geometry));
 
   // What lies under the tip; from that, how far down the bristles reach.
-  for_rows(plan, &Transfer::measure_rows);
+  for_parts(plan, plan.box.height, kRowsPerTask, &Transfer::measure_rows);
   find_heights(hand, plan);
   // The canvas gives paint to the brush (R23), the palette refills it (R22).
-  for_rows(plan, &Transfer::pick_up_rows);
+  find_places(plan);
+  for_bands(plan, &Transfer::pick_up_bands);
   pick_up_and_refill(plan, hand, reservoir);
   // Levelling must not change how much the stamp deposits.
   const bool deposits = find_share_scale(plan);
+  if (listener_ != nullptr || !deposits) for_bands(plan, &Transfer::put_back_bands);
   if (listener_ != nullptr) listener_->before_deposit(plan, state_);
   if (!deposits) return;
   // The brush gives paint to the canvas (R25), layers mix (R28), the fluid learns of the contact
   // (R17).
-  for_rows(plan, &Transfer::deposit_rows);
+  for_bands(plan, &Transfer::deposit_bands);
+  for_parts(plan, plan.box.height, kRowsPerTask, &Transfer::touch_rows);
   if (listener_ != nullptr) listener_->after_deposit(plan, state_);
   // The brush loses its surplus and dries (R24).
   return_surplus(plan, hand, reservoir);
@@ -219,59 +226,68 @@ bool Transfer::find_share_scale(StampPlan& plan) const {
   return true;
 }
 
-void Transfer::prepare(const FootprintBox& box, int stride) {
-  const std::size_t cells =
-      static_cast<std::size_t>(box.width) * static_cast<std::size_t>(box.height);
+void Transfer::prepare(const FootprintBox& box) {
   const std::size_t rows = static_cast<std::size_t>(box.height);
-  const auto grow = [](auto& scratch, std::size_t size) {
-    if (scratch.size() < size) scratch.resize(size);
-  };
-  grow(weight_, cells);
-  grow(share_, cells);
-  grow(hold_, cells);
-  grow(pick_up_weight_, cells);
-  grow(paint_, cells * static_cast<std::size_t>(stride));
-  grow(row_paint_, rows * parts_);
+  grow(value_, static_cast<std::size_t>(box.width) * rows);
   grow(row_, rows);
+  grow(span_, rows);
   grow(touched_, rows);
   grow(tip_row_, rows);
   contact_.touch(box.x, box.x + box.width, box.y, box.y + box.height);
 }
 
-void Transfer::for_rows(const StampPlan& plan, void (Transfer::*pass)(const StampPlan&, int, int)) {
-  const int rows = plan.box.height;
-  if (plan.box.width * rows < kCellsWorthThreads || threads_.count() == 1) {
-    (this->*pass)(plan, 0, rows);
+/// Gives each touched cell its place beside the others, and cuts the rows into bands.
+void Transfer::find_places(const StampPlan& plan) {
+  std::size_t cells = 0;
+  for (int y = 0; y < plan.box.height; ++y) {
+    TouchedCells& row = touched_[static_cast<std::size_t>(y)];
+    row.at = cells;
+    cells += row.count();
+  }
+  cells_.cut(plan.box, touched_);
+  grow(share_, cells);
+  grow(hold_, cells);
+  grow(pick_up_weight_, cells);
+  grow(paint_, cells * static_cast<std::size_t>(plan.stride));
+  grow(band_paint_, cells_.bands().size() * parts_);
+}
+
+void Transfer::for_parts(const StampPlan& plan, int count, int part, Pass pass) {
+  if (plan.box.width * plan.box.height < kCellsWorthThreads || threads_.count() == 1) {
+    (this->*pass)(plan, 0, count);
     return;
   }
-  struct RowTask {
+  struct Task {
     Transfer* transfer;
     const StampPlan* plan;
-    void (Transfer::*pass)(const StampPlan&, int, int);
-  } job{this, &plan, pass};
+    Pass pass;
+  } task{this, &plan, pass};
   // One reference is captured, so that the function object needs no memory of its own.
-  threads_.for_ranges(0, rows, kRowsPerTask, [&job](int begin, int end) {
-    (job.transfer->*job.pass)(*job.plan, begin, end);
+  threads_.for_ranges(0, count, part, [&task](int begin, int end) {
+    (task.transfer->*task.pass)(*task.plan, begin, end);
   });
+}
+
+void Transfer::for_bands(const StampPlan& plan, Pass pass) {
+  for_parts(plan, static_cast<int>(cells_.bands().size()), kBandsPerTask, pass);
 }
 
 /// Measures the tip's value in each cell, and the heights of the canvas under the tip.
 void Transfer::measure_rows(const StampPlan& plan, int begin, int end) {
-  const BristleTable& grip = plan.tip->grip_table();
   for (int y = begin; y < end; ++y) {
     const int canvas_y = plan.box.y + y;
     const TipRow tip = tip_row(plan.pose, plan.box, state_.geometry, canvas_y);
-    tip_row_[static_cast<std::size_t>(y)] = tip;
-    const std::size_t at = static_cast<std::size_t>(y) * static_cast<std::size_t>(plan.box.width);
+    const TipFootprint::CellSpan span = footprint_.touched_span(tip, 0, plan.box.width);
+    float* value_at = value_.data() + static_cast<std::ptrdiff_t>(y) * plan.box.width;
+    footprint_.row(tip, span.begin,
+                   {value_at + span.begin, static_cast<std::size_t>(span.end - span.begin)});
     const float* base = state_.base_m.row(canvas_y) + plan.box.x;
     const float* depth = state_.depth_m.row(canvas_y) + plan.box.x;
     const std::uint32_t* stroke = state_.stroke.row(canvas_y) + plan.box.x;
-    footprint_.row(tip, 0, {weight_.data() + at, static_cast<std::size_t>(plan.box.width)});
     RowSums sums;
     TouchedCells touched{plan.box.width, 0};
-    for (int x = 0; x < plan.box.width; ++x) {
-      const float s = weight_[at + static_cast<std::size_t>(x)];
-      hold_[at + static_cast<std::size_t>(x)] = stamp_hold(plan, grip, s, tip.v(x));
+    for (int x = span.begin; x < span.end; ++x) {
+      const float s = value_at[x];
       if (!(s > 0)) continue;
       touched.begin = std::min(touched.begin, x);
       touched.end = x + 1;
@@ -286,62 +302,68 @@ void Transfer::measure_rows(const StampPlan& plan, int begin, int end) {
         if (depth[x] < plan.dry_m) sums.ahead_dry += value;
       }
     }
-    row_[static_cast<std::size_t>(y)] = sums;
-    touched_[static_cast<std::size_t>(y)] =
-        touched.end > touched.begin ? touched : TouchedCells{0, 0};
+    const auto row = static_cast<std::size_t>(y);
+    tip_row_[row] = tip;
+    span_[row] = span;
+    row_[row] = sums;
+    touched_[row] = touched.end > touched.begin ? touched : TouchedCells{};
   }
 }
 
-Transfer::TouchedRun Transfer::strip_of(const StampPlan& plan, int y) const {
-  const TouchedCells& cells = touched_[static_cast<std::size_t>(y)];
-  return {plan.box.x + cells.begin, plan.box.y + y,
-          static_cast<std::size_t>(y) * static_cast<std::size_t>(plan.box.width) +
-              static_cast<std::size_t>(cells.begin),
-          static_cast<std::size_t>(cells.end - cells.begin)};
+float* Transfer::paint_at(const StampPlan& plan, std::size_t cell) {
+  return paint_.data() + cell * static_cast<std::size_t>(plan.stride);
 }
 
-float* Transfer::strip_paint(const StampPlan& plan, const TouchedRun& strip) {
-  return paint_.data() + strip.at * static_cast<std::size_t>(plan.stride);
+std::span<double> Transfer::sums_of(int band) {
+  return {band_paint_.data() + static_cast<std::size_t>(band) * parts_, parts_};
 }
 
-std::span<double> Transfer::strip_sums(int y) {
-  return {row_paint_.data() + static_cast<std::size_t>(y) * parts_, parts_};
-}
-
-/// Contact levelling (A22): the stamp will deposit less on bumps and more in hollows. Then the
-/// paint is picked up (R23).
-void Transfer::pick_up_rows(const StampPlan& plan, int begin, int end) {
-  for (int y = begin; y < end; ++y) {
-    const TouchedRun strip = strip_of(plan, y);
-    const float* base = state_.base_m.row(strip.y) + strip.x;
-    float* depth = state_.depth_m.row(strip.y) + strip.x;
-    double share = 0;
-    const bool scrapes = plan.scrape_frac > 0;
-    const TipRow& tip = tip_row_[static_cast<std::size_t>(y)];
-    const int first = strip.x - plan.box.x;
-    for (std::size_t i = 0; i < strip.cells; ++i) {
-      const std::size_t at = strip.at + i;
-      const float height = base[i] + depth[i];
-      const float at_end =
-          scrapes ? plan.tip->end_table().at(tip.v(first + static_cast<int>(i))) : 0.0f;
-      const float levelled = weight_[at] * stamp_level_factor(plan, at_end, height);
-      share += static_cast<double>(levelled);
-      share_[at] = levelled * stamp_caught(plan, height);
-      if (scrapes)
-        pick_up_weight_[at] = stamp_pick_up_weight(plan, hold_[at], at_end, {depth[i], height});
-    }
-    row_[static_cast<std::size_t>(y)].share = share;
-    const std::vector<float>& weight = scrapes ? pick_up_weight_ : hold_;
-    pick_up_row(plan.pick_up, planes_.row(strip.x, strip.y),
-                {weight.data() + strip.at, strip.cells}, depth, strip_paint(plan, strip),
-                plan.stride, strip_sums(y));
+/// How the bristles hold each cell of a row. Contact levelling (A22): the stamp will deposit less
+/// on bumps and more in hollows.
+void Transfer::weigh_row(const StampPlan& plan, int y) {
+  const BristleTable& grip = plan.tip->grip_table();
+  const auto row = static_cast<std::size_t>(y);
+  const TouchedCells& touched = touched_[row];
+  const TipRow& tip = tip_row_[row];
+  const float* value = value_.data() + static_cast<std::ptrdiff_t>(y) * plan.box.width;
+  const float* base = state_.base_m.row(plan.box.y + y) + plan.box.x;
+  const float* depth = state_.depth_m.row(plan.box.y + y) + plan.box.x;
+  const bool scrapes = plan.scrape_frac > 0;
+  double share = 0;
+  std::size_t at = touched.at;
+  for (int x = touched.begin; x < touched.end; ++x, ++at) {
+    const float v = tip.v(x), height = base[x] + depth[x];
+    hold_[at] = stamp_hold(plan, grip, value[x], v);
+    const float at_end = scrapes ? plan.tip->end_table().at(v) : 0.0f;
+    const float levelled = value[x] * stamp_level_factor(plan, at_end, height);
+    share += static_cast<double>(levelled);
+    share_[at] = levelled * stamp_caught(plan, height);
+    if (scrapes)
+      pick_up_weight_[at] = stamp_pick_up_weight(plan, hold_[at], at_end, {depth[x], height});
   }
+  row_[row].share = share;
+}
+
+/// The paint is picked up (R23).
+void Transfer::pick_up_bands(const StampPlan& plan, int begin, int end) {
+  for (int i = begin; i < end; ++i) {
+    const StampBand& band = cells_.bands()[static_cast<std::size_t>(i)];
+    for (int y = band.begin; y < band.end; ++y) weigh_row(plan, y);
+    const std::vector<float>& weight = plan.scrape_frac > 0 ? pick_up_weight_ : hold_;
+    const BandPaint canvas = cells_.gather(i);
+    pick_up_row(plan.pick_up, canvas.layers, {weight.data() + band.at, band.cells},
+                canvas.depth_m.data(), paint_at(plan, band.at), plan.stride, sums_of(i));
+  }
+}
+
+void Transfer::put_back_bands(const StampPlan&, int begin, int end) {
+  for (int i = begin; i < end; ++i) cells_.put_back(i);
 }
 
 /// The picked up paint arrives in the reservoir, and the palette's paint with it (R22).
 void Transfer::pick_up_and_refill(const StampPlan& plan, const BrushInHand& hand,
                                   Reservoir& reservoir) {
-  add_to(plan, account_.picked_up);
+  add_to(account_.picked_up);
   const bool picked_up =
       std::any_of(paint_sum_.begin(), paint_sum_.end(), [](double sum) { return sum > 0; });
   if (picked_up)
@@ -351,35 +373,41 @@ void Transfer::pick_up_and_refill(const StampPlan& plan, const BrushInHand& hand
                    refill_share(plan.stamp, hand.brush, hand.settings, plan.pose));
 }
 
-/// Deposits the film and the surplus, mixes the layers, marks the contact.
-void Transfer::deposit_rows(const StampPlan& plan, int begin, int end) {
-  for (int y = begin; y < end; ++y) {
-    const TouchedRun strip = strip_of(plan, y);
-    const TipRow& tip = tip_row_[static_cast<std::size_t>(y)];
-    float* paint = strip_paint(plan, strip);
-    plan.reservoir->sample_row(tip, strip.x - plan.box.x, static_cast<int>(strip.cells), paint);
-    double returned = 0;
-    for (std::size_t i = 0; i < strip.cells; ++i, paint += plan.stride) {
-      const float share = share_[strip.at + i] * plan.share_scale;
-      if (!(share > 0)) {
-        std::fill_n(paint, plan.stride, 0.0f);
-        continue;
-      }
-      const float volume = plan.load->volume_of(paint);
-      const DepositedVolume deposited = stamp_deposited(plan, volume, weight_[strip.at + i], share);
-      for (int k = 0; k < plan.stride; ++k) paint[k] *= deposited.part;
-      returned += static_cast<double>(deposited.returned);
+/// What the reservoir holds over each cell of a row becomes what the cell is given: the film and
+/// the surplus.
+void Transfer::sample_row(const StampPlan& plan, int y) {
+  const auto row = static_cast<std::size_t>(y);
+  const TouchedCells& touched = touched_[row];
+  const float* value = value_.data() + static_cast<std::ptrdiff_t>(y) * plan.box.width;
+  float* paint = paint_at(plan, touched.at);
+  plan.reservoir->sample_row(tip_row_[row], touched.begin, touched.end - touched.begin, paint);
+  double returned = 0;
+  std::size_t at = touched.at;
+  for (int x = touched.begin; x < touched.end; ++x, ++at, paint += plan.stride) {
+    const float share = share_[at] * plan.share_scale;
+    if (!(share > 0)) {
+      std::fill_n(paint, plan.stride, 0.0f);
+      continue;
     }
-    row_[static_cast<std::size_t>(y)].returned = returned;
-    const LayerRow row = planes_.row(strip.x, strip.y);
-    deposit_row(plan.deposit, row, {state_.depth_m.row(strip.y) + strip.x, strip.cells},
-                state_.stroke.row(strip.y) + strip.x, strip_paint(plan, strip), plan.stride,
-                strip_sums(y));
-    mix_layers_row(plan.mix, row, {hold_.data() + strip.at, strip.cells});
-    touch_row(
-        plan, tip, strip.y,
-        {weight_.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(plan.box.width),
-         static_cast<std::size_t>(plan.box.width)});
+    const float volume = plan.load->volume_of(paint);
+    const DepositedVolume deposited = stamp_deposited(plan, volume, value[x], share);
+    for (int k = 0; k < plan.stride; ++k) paint[k] *= deposited.part;
+    returned += static_cast<double>(deposited.returned);
+  }
+  row_[row].returned = returned;
+}
+
+/// Deposits what the cells are given, and mixes the layers.
+void Transfer::deposit_bands(const StampPlan& plan, int begin, int end) {
+  for (int i = begin; i < end; ++i) {
+    const StampBand& band = cells_.bands()[static_cast<std::size_t>(i)];
+    for (int y = band.begin; y < band.end; ++y) sample_row(plan, y);
+    const BandPaint canvas = cells_.paint(i);
+    deposit_row(plan.deposit, canvas.layers, canvas.depth_m, canvas.stroke, paint_at(plan, band.at),
+                plan.stride, sums_of(i));
+    cells_.find_held(i);
+    mix_layers_row(plan.mix, canvas.layers, {hold_.data() + band.at, band.cells});
+    cells_.put_back(i);
   }
 }
 
@@ -387,7 +415,7 @@ void Transfer::deposit_rows(const StampPlan& plan, int begin, int end) {
 /// brush (R24).
 void Transfer::return_surplus(const StampPlan& plan, const BrushInHand& hand,
                               Reservoir& reservoir) {
-  add_to(plan, account_.deposited);
+  add_to(account_.deposited);
   double returned = 0, ahead = 0, ahead_dry = 0;
   for (int y = 0; y < plan.box.height; ++y) {
     const RowSums& sums = row_[static_cast<std::size_t>(y)];
@@ -410,37 +438,41 @@ void Transfer::return_surplus(const StampPlan& plan, const BrushInHand& hand,
                                                   (hand.brush.capacity * plan.pose.diameter_m));
 }
 
-/// Adds the sums of the rows, in the order of rows: into `paint_sum_` and, as volumes, into `flow`.
-void Transfer::add_to(const StampPlan& plan, PaintFlow& flow) {
+/// Adds the sums of the bands, in their order: into `paint_sum_` and, as volumes, into `flow`.
+void Transfer::add_to(PaintFlow& flow) {
   std::fill(paint_sum_.begin(), paint_sum_.end(), 0.0);
-  for (int y = 0; y < plan.box.height; ++y)
-    for (std::size_t k = 0; k < parts_; ++k)
-      paint_sum_[k] += row_paint_[static_cast<std::size_t>(y) * parts_ + k];
+  for (std::size_t band = 0; band < cells_.bands().size(); ++band)
+    for (std::size_t k = 0; k < parts_; ++k) paint_sum_[k] += band_paint_[band * parts_ + k];
   const double area = state_.geometry.cell_area_m2();
   flow.medium_m3 += paint_sum_[0] * area;
   for (std::size_t c = 0; c + 1 < parts_; ++c) flow.channel[c] += paint_sum_[1 + c] * area;
 }
 
-/// Footprint, velocity (R17) and push of one row.
-void Transfer::touch_row(const StampPlan& plan, const TipRow& tip, int y,
-                         std::span<const float> weight) {
+/// Footprint, velocity (R17) and push, also where the tip's hairs leave cells out.
+void Transfer::touch_rows(const StampPlan& plan, int begin, int end) {
   const Stamp& stamp = plan.stamp;
   const int first = plan.box.x;
-  float* touched = contact_.weight.row(y) + first;
-  float* velocity_x = contact_.velocity_x_m_s.row(y) + first;
-  float* velocity_y = contact_.velocity_y_m_s.row(y) + first;
-  for (std::size_t i = 0; i < weight.size(); ++i) {
-    if (!(weight[i] > 0)) continue;
-    touched[i] = std::max(touched[i], std::min(1.0f, weight[i]));
-    velocity_x[i] = stamp.velocity_m_s.x;
-    velocity_y[i] = stamp.velocity_m_s.y;
-  }
-  float* __restrict push_x = contact_.push_x_m.row(y) + first;
-  float* __restrict push_y = contact_.push_y_m.row(y) + first;
-  for (int i = 0; i < static_cast<int>(weight.size()); ++i) {
-    const float push = stamp_push_m(plan, tip.u(i), tip.v(i));
-    push_x[i] += push * stamp.direction.x;
-    push_y[i] += push * stamp.direction.y;
+  for (int y = begin; y < end; ++y) {
+    const auto row = static_cast<std::size_t>(y);
+    const int canvas_y = plan.box.y + y;
+    const float* value = value_.data() + static_cast<std::ptrdiff_t>(y) * plan.box.width;
+    float* touched = contact_.weight.row(canvas_y) + first;
+    float* velocity_x = contact_.velocity_x_m_s.row(canvas_y) + first;
+    float* velocity_y = contact_.velocity_y_m_s.row(canvas_y) + first;
+    for (int x = touched_[row].begin; x < touched_[row].end; ++x) {
+      if (!(value[x] > 0)) continue;
+      touched[x] = std::max(touched[x], std::min(1.0f, value[x]));
+      velocity_x[x] = stamp.velocity_m_s.x;
+      velocity_y[x] = stamp.velocity_m_s.y;
+    }
+    const TipRow tip = tip_row_[row];
+    float* __restrict push_x = contact_.push_x_m.row(canvas_y) + first;
+    float* __restrict push_y = contact_.push_y_m.row(canvas_y) + first;
+    for (int x = span_[row].begin; x < span_[row].end; ++x) {
+      const float push = stamp_push_m(plan, tip.u(x), tip.v(x));
+      push_x[x] += push * stamp.direction.x;
+      push_y[x] += push * stamp.direction.y;
+    }
   }
 }
 

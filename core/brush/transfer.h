@@ -14,6 +14,7 @@
 #include "core/brush/collect_paint.h"
 #include "core/brush/reservoir.h"
 #include "core/brush/stamp.h"
+#include "core/brush/stamp_cells.h"
 #include "core/brush/stamp_listener.h"
 #include "core/brush/stamp_plan.h"
 #include "core/brush/tip.h"
@@ -61,21 +62,23 @@ class Transfer {
     double returned = 0;       // volume of the surplus that was deposited
   };
 
-  /// The cells of a row that the tip touches.
-  struct TouchedRun {
-    int x = 0, y = 0;    // of its first cell on the canvas
-    std::size_t at = 0;  // of that cell in the scratch
-    std::size_t cells = 0;
-  };
-
-  TouchedRun strip_of(const StampPlan& plan, int y) const;
-  float* strip_paint(const StampPlan& plan, const TouchedRun& strip);
-  std::span<double> strip_sums(int y);
+  using Pass = void (Transfer::*)(const StampPlan&, int begin, int end);
+  /// Runs a pass over [0, count), in parts of `part` where the stamp is worth threads.
+  void for_parts(const StampPlan& plan, int count, int part, Pass pass);
+  void for_bands(const StampPlan& plan, Pass pass);
+  // Over rows of the box:
   void measure_rows(const StampPlan& plan, int begin, int end);
-  void pick_up_rows(const StampPlan& plan, int begin, int end);
-  void deposit_rows(const StampPlan& plan, int begin, int end);
-  void for_rows(const StampPlan& plan, void (Transfer::*pass)(const StampPlan&, int, int));
-  void prepare(const FootprintBox& box, int stride);
+  void touch_rows(const StampPlan& plan, int begin, int end);
+  // Over bands of its rows:
+  void pick_up_bands(const StampPlan& plan, int begin, int end);
+  void put_back_bands(const StampPlan& plan, int begin, int end);
+  void deposit_bands(const StampPlan& plan, int begin, int end);
+  void weigh_row(const StampPlan& plan, int y);
+  void sample_row(const StampPlan& plan, int y);
+  void find_places(const StampPlan& plan);
+  float* paint_at(const StampPlan& plan, std::size_t cell);
+  std::span<double> sums_of(int band);
+  void prepare(const FootprintBox& box);
   void find_heights(const BrushInHand& hand, StampPlan& plan) const;
   void place(const Stamp& stamp, const BrushInHand& hand, const Reservoir& reservoir,
              StampPlan& plan) const;
@@ -84,29 +87,32 @@ class Transfer {
   bool find_share_scale(StampPlan& plan) const;
   void pick_up_and_refill(const StampPlan& plan, const BrushInHand& hand, Reservoir& reservoir);
   void return_surplus(const StampPlan& plan, const BrushInHand& hand, Reservoir& reservoir);
-  void add_to(const StampPlan& plan, PaintFlow& flow);
-  void touch_row(const StampPlan& plan, const TipRow& tip, int y, std::span<const float> weight);
+  void add_to(PaintFlow& flow);
 
   CanvasState& state_;
   BrushContact& contact_;
   PaintAccount& account_;
-  LayerPlanes planes_;
+  StampCells cells_;
   std::size_t parts_;  // height and channels
   const Threads& threads_;
   StampListener* listener_ = nullptr;
 
-  // Scratch of one stamp, over its box.
+  // Scratch of one stamp. Of the cells of its box:
   TipFootprint footprint_;
-  std::vector<float> weight_;          // value of the tip per cell
-  std::vector<float> share_;           // the same after contact levelling
-  std::vector<float> hold_;            // how hard the bristles hold, [0,2] per cell
+  std::vector<float> value_;  // of the tip; only in the spans of rows
+  // Of its rows:
+  std::vector<RowSums> row_;
+  std::vector<TipFootprint::CellSpan> span_;  // beyond it the tip is nothing
+  std::vector<TouchedCells> touched_;
+  std::vector<TipRow> tip_row_;  // where its cells lie on the tip
+  // Of the touched cells of all rows:
+  std::vector<float> share_;           // value of the tip after contact levelling
+  std::vector<float> hold_;            // how hard the bristles hold, [0,2]
   std::vector<float> pick_up_weight_;  // of a blade: what pick_up_row() takes
   std::vector<float> paint_;           // picked up, then deposited: `stride` floats per cell
-  std::vector<double> row_paint_;      // `parts_` per row
+  // Of bands of rows:
+  std::vector<double> band_paint_;  // `parts_` each
   std::vector<double> paint_sum_;
-  std::vector<RowSums> row_;
-  std::vector<TouchedCells> touched_;  // per row
-  std::vector<TipRow> tip_row_;        // where its cells lie on the tip
 };
 
 }  // namespace pentimento

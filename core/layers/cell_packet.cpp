@@ -24,7 +24,8 @@ void PacketTotals::find(const LayerRow& row, int first, int cells) {
     std::fill_n(sum.begin(), cells, 0.0f);
     for (int c = 0; c < row.channels; ++c) {
       const float m = row.amount[static_cast<std::size_t>(c)];
-      if (m != 0) add_weighted(m, &row.at(layer, c, first), cells, sum.data());
+      if (m != 0 && row.may_hold(layer, c))
+        add_weighted(m, &row.at(layer, c, first), cells, sum.data());
     }
   }
 }

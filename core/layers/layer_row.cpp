@@ -21,7 +21,7 @@ void LayerPlanes::find(CanvasState& state) {
 }
 
 LayerRow LayerPlanes::row(int x, int y) const {
-  return {plane_, stride_ * y + x, layers_, channels_, amount_};
+  return {plane_, stride_ * y + x, layers_, channels_, amount_, {}};
 }
 
 }  // namespace pentimento

@@ -3,6 +3,7 @@
 // write it. It is a view; a copy shows the same values.
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -18,9 +19,14 @@ struct LayerRow {
   int layers = 1;
   int channels = 0;
   std::span<const float> amount;  // per channel: its share in the total amount (A26)
+  // Per plane: 0 if these cells are known to hold nothing in it. Empty: nothing is known.
+  std::span<const std::uint8_t> holds = {};
 
   float& at(int layer, int channel, int x) const {
     return plane[static_cast<std::size_t>(layer * channels + channel)][offset + x];
+  }
+  bool may_hold(int layer, int channel) const {
+    return holds.empty() || holds[static_cast<std::size_t>(layer * channels + channel)] != 0;
   }
   /// Total amount of pigment in a layer of cell x.
   float total(int layer, int x) const {

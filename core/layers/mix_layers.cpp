@@ -37,7 +37,8 @@ void mix_channel(const LayerRow& row, int channel, int first, int cells, const P
 
 bool any_in_channel(const LayerRow& row, int channel, int first, int cells) {
   for (int layer = 0; layer < row.layers; ++layer)
-    if (any_not_zero(&row.at(layer, channel, first), cells)) return true;
+    if (row.may_hold(layer, channel) && any_not_zero(&row.at(layer, channel, first), cells))
+      return true;
   return false;
 }
 

@@ -121,7 +121,7 @@ void take_component(const PacketParts& parts, const LayerRow& row, const Packet&
   if (component == 0) sum += take(parts.depth.data(), packet.cells, depth_m, gone.data());
   for (int layer = 0; component > 0 && layer < parts.layers; ++layer) {
     float* plane = &row.at(layer, component - 1, packet.first);
-    if (any_not_zero(plane, packet.cells))
+    if (row.may_hold(layer, component - 1) && any_not_zero(plane, packet.cells))
       sum += take(parts.layer[static_cast<std::size_t>(layer)].data(), packet.cells, plane,
                   gone.data());
   }

@@ -23,6 +23,14 @@ Reservoir holding(const PaintLoad& load) {
   return reservoir;
 }
 
+/// All cells of a box are touched, and their paint lies row by row.
+std::vector<TouchedCells> all_cells_of(const FootprintBox& box) {
+  std::vector<TouchedCells> rows;
+  for (int y = 0; y < box.height; ++y)
+    rows.push_back({0, box.width, static_cast<std::size_t>(y * box.width)});
+  return rows;
+}
+
 TEST(Reservoir, RefillGoesAShareOfTheWay) {
   const Tip tip(*builtin_brush("round"));
   Reservoir reservoir = holding(load_of(0.002f, 0.04f));
@@ -127,7 +135,7 @@ TEST(Gather, TheBrushGainsPerAreaWhatTheCanvasLost) {
       sum[1] += static_cast<double>(picked_up[i + 1]);
     }
     Reservoir reservoir(2);
-    const std::vector<TouchedCells> rows(static_cast<std::size_t>(box.height), {0, box.width});
+    const std::vector<TouchedCells> rows = all_cells_of(box);
     collect_picked_up({picked_up, 4, rows}, pose, box, geometry, tip, reservoir);
     double gained[3] = {0, 0, 0};
     for (int i = 0; i < kReservoirTexels; ++i)
@@ -153,7 +161,7 @@ TEST(Gather, FinePaintArrivesWhereItsCellIs) {
   stamp.diameter_m = 0.1f;
   const TipPose pose = pose_of(stamp, brush, 0);
   const FootprintBox box = box_of(pose, tip.extent(), geometry);
-  const std::vector<TouchedCells> rows(static_cast<std::size_t>(box.height), {0, box.width});
+  const std::vector<TouchedCells> rows = all_cells_of(box);
   for (const int right : {3, 7, 12}) {  // cells from the middle, where all texels are the tip's
     std::vector<float> picked_up(static_cast<std::size_t>(box.width * box.height * 4), 0.0f);
     const int x = box.width / 2 + right, y = box.height / 2 + 5;
@@ -193,7 +201,7 @@ TEST(Gather, EveryComponentIsTreatedAlike) {
       picked_up[i + 2] = picked_up[i] + 2 * picked_up[i + 1];
     }
     Reservoir reservoir(2);
-    const std::vector<TouchedCells> rows(static_cast<std::size_t>(box.height), {0, box.width});
+    const std::vector<TouchedCells> rows = all_cells_of(box);
     collect_picked_up({picked_up, 4, rows}, pose, box, geometry, tip, reservoir);
     for (const TipTexel& t : tip.texels()) {
       const float* paint = reservoir.texel(t.index);
