@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "core/base/kernel.h"
@@ -90,7 +92,7 @@ void cut_to(float at, float step, float half, TipFootprint::CellSpan& cells) {
 /// Positions of a row of cells in the map, in texels.
 struct MapRow {
   float x0, y0, dx, dy;
-  float last_x, first_y, last_y;  // positions that have a neighbour
+  float first_x, last_x, first_y, last_y;  // positions that have a neighbour
 };
 
 PENTIMENTO_KERNEL
@@ -101,7 +103,7 @@ void read_row(const float* map, int stride, const MapRow& at, int first, int n,
   for (int i = 0; i < n; ++i) {
     const float x = r.x0 + r.dx * static_cast<float>(first + i);
     const float y = r.y0 + r.dy * static_cast<float>(first + i);
-    const float cx = std::min(std::max(x, 0.0f), r.last_x);
+    const float cx = std::min(std::max(x, r.first_x), r.last_x);
     const float cy = std::min(std::max(y, r.first_y), r.last_y);
     const int ix = static_cast<int>(cx), iy = static_cast<int>(cy);
     const float fx = cx - static_cast<float>(ix), fy = cy - static_cast<float>(iy);
@@ -113,27 +115,31 @@ void read_row(const float* map, int stride, const MapRow& at, int first, int n,
   }
 }
 
-/// Makes a map of at least size x size values and sets those of some rows to zero. A larger map
-/// stays, so that stamp after stamp needs no new memory.
-void make_room(Field<float>& map, int size, const TipFootprint::CellSpan& rows) {
+/// Makes a map of at least size x size values and sets a part of it to zero. A larger map stays, so
+/// that stamp after stamp needs no new memory.
+void make_room(Field<float>& map, int size, const CellBox& part) {
   if (map.width() < size) {
     map = Field<float>(size, size);
     return;
   }
-  for (int y = rows.begin; y < rows.end; ++y) std::fill_n(map.row(y), size, 0.0f);
+  for (int y = part.y0; y < part.y1; ++y)
+    std::fill(map.row(y) + part.x0, map.row(y) + part.x1, 0.0f);
 }
 }  // namespace
 
 /// The pressed and dried tip, with the margin around it.
 void TipFootprint::blend(const TipLevel& level) {
   const int start = margin_ - 1;  // the tip's own maps have a rim of one zero
-  for (int j = std::max(0, rows_.begin - start); j < std::min(size_ + 2, rows_.end - start); ++j) {
-    float* out = still_.row(start + j) + start;
-    blend_row(level.low->padded_row(j), level.high->padded_row(j), level.frac, size_ + 2, out);
+  const int x0 = std::max(0, part_.x0 - start), x1 = std::min(size_ + 2, part_.x1 - start);
+  const int y0 = std::max(0, part_.y0 - start), y1 = std::min(size_ + 2, part_.y1 - start);
+  for (int j = y0; j < y1; ++j) {
+    float* out = still_.row(start + j) + start + x0;
+    blend_row(level.low->padded_row(j) + x0, level.high->padded_row(j) + x0, level.frac, x1 - x0,
+              out);
     if (level.supply_low == nullptr) continue;
     const float v = (static_cast<float>(j) - 0.5f) / static_cast<float>(size_) - 0.5f;
     const float few = level.supply_low->at(v);
-    multiply_row(few + level.supply_frac * (level.supply_high->at(v) - few), size_ + 2, out);
+    multiply_row(few + level.supply_frac * (level.supply_high->at(v) - few), x1 - x0, out);
   }
 }
 
@@ -144,11 +150,11 @@ void TipFootprint::add_footprint(float u_texels, float v_texels, float weight) {
   const float tu = u_texels - fu, tv = v_texels - fv;
   const float w[4] = {weight * (1 - tu) * (1 - tv), weight * tu * (1 - tv), weight * (1 - tu) * tv,
                       weight * tu * tv};
-  const int width = width_;
-  const int x0 = std::max(kRim, -iu), x1 = std::min(width - kRim, width - 1 - iu);
-  // Rows of `still` that do not count are zero.
-  const int y0 = std::max({kRim, rows_.begin, rows_.begin - iv});
-  const int y1 = std::min({width - kRim, rows_.end, rows_.end - 1 - iv});
+  // What of `still` does not count is zero.
+  const int x0 = std::max({kRim, part_.x0, part_.x0 - iu});
+  const int x1 = std::min({width_ - kRim, part_.x1, part_.x1 - 1 - iu});
+  const int y0 = std::max({kRim, part_.y0, part_.y0 - iv});
+  const int y1 = std::min({width_ - kRim, part_.y1, part_.y1 - 1 - iv});
   for (int y = y0; y < y1; ++y)
     add_shifted_row(still_.row(y + iv) + x0 + iu, still_.row(y + iv + 1) + x0 + iu, w, x1 - x0,
                     map_.row(y) + x0);
@@ -158,28 +164,35 @@ void TipFootprint::add_footprint(float u_texels, float v_texels, float weight) {
 void TipFootprint::average(float texels) {
   find_box_weights(texels, box_weight_);
   const int taps = static_cast<int>(box_weight_.size()), reach = taps / 2;
-  const int n = width_ - 2 * reach;
   const std::ptrdiff_t still = still_.view().stride(), map = map_.view().stride();
+  PENTIMENTO_CHECK(part_.x1 - part_.x0 - 2 * reach >= kTogether);
   // Along the rows: those around stay zero.
-  const int first = rows_.begin + reach, rows = rows_.end - rows_.begin - 2 * reach;
-  filter_rows({box_weight_.data(), taps, 1, still, map}, still_.row(first), map_.row(first) + reach,
-              rows, n);
+  const int x = part_.x0, y = part_.y0 + reach;
+  const int n = part_.x1 - part_.x0, rows = part_.y1 - part_.y0 - 2 * reach;
+  filter_rows({box_weight_.data(), taps, 1, still, map}, still_.row(y) + x, map_.row(y) + x + reach,
+              rows, n - 2 * reach);
   std::swap(still_, map_);
   // Across them.
-  filter_rows({box_weight_.data(), taps, map, map, still}, still_.row(rows_.begin), map_.row(first),
-              rows, width_);
+  filter_rows({box_weight_.data(), taps, map, map, still}, still_.row(part_.y0) + x,
+              map_.row(y) + x, rows, n);
 }
 
-/// `u_texels`: how far the map reaches beyond the tip itself.
-void TipFootprint::find_halves(const TipExtent& extent, float u_texels, float v_texels) {
+/// `u_texels`, `v_texels`: how far the map reaches beyond the tip itself.
+void TipFootprint::find_reach(const TipExtent& extent, float u_texels, float v_texels) {
   constexpr float kAround = 2.5f;  // half a texel of the tip's, a bilinear step or two, rounding
   const float half = 0.5f * static_cast<float>(size_);
   half_u_ = half * extent.u + u_texels + kAround;
   half_v_ = half * extent.v + v_texels + kAround;
-  // Rows of the map beyond which all is zero, with the rim and what a box of v_texels reads.
-  const float reach = half_v_ + v_texels + kRim, middle = this->middle();
-  rows_ = {std::max(0, static_cast<int>(middle - reach)),
-           std::min(width_, static_cast<int>(middle + reach) + 2)};
+  // Beyond that the map is zero; the part that counts has a rim of it, and what a box reads.
+  const auto part = [&](float half_texels, float texels) {
+    const float reach = half_texels + texels + kRim;
+    const float least = 0.5f * kTogether + texels + 1;  // for filter_rows()
+    const float around = std::max(reach, least);
+    return std::pair{std::max(0, static_cast<int>(middle() - around)),
+                     std::min(width_, static_cast<int>(middle() + around) + 2)};
+  };
+  std::tie(part_.x0, part_.x1) = part(half_u_, u_texels);
+  std::tie(part_.y0, part_.y1) = part(half_v_, v_texels);
 }
 
 void TipFootprint::draw_cells(const StampPlan& plan, float cell_m) {
@@ -189,9 +202,9 @@ void TipFootprint::draw_cells(const StampPlan& plan, float cell_m) {
   const float box = std::sqrt(std::max(0.0f, texels * texels - 3));
   margin_ = kRim + 1 + static_cast<int>(std::ceil(box)) + 1;
   width_ = std::max(size_, kTogether) + 2 * margin_;
-  find_halves(plan.extent, box, box);
-  make_room(still_, width_, rows_);
-  make_room(map_, width_, rows_);
+  find_reach(plan.extent, box, box);
+  make_room(still_, width_, part_);
+  make_room(map_, width_, part_);
   blend(level);
   if (box > 0) {
     average(box);
@@ -214,14 +227,14 @@ void TipFootprint::draw_swept(const StampPlan& plan, float cell_m) {
   const float reach = std::max(std::abs(first * du), std::abs(first * dv));
   margin_ = kRim + 2 + static_cast<int>(reach);
   width_ = size_ + 2 * margin_;
-  find_halves(plan.extent, std::abs(first * du), std::abs(first * dv));
-  make_room(still_, width_, rows_);
+  find_reach(plan.extent, std::abs(first * du), std::abs(first * dv));
+  make_room(still_, width_, part_);
   blend(level);
   if (prints == 1) {
     std::swap(still_, map_);
     return;
   }
-  make_room(map_, width_, rows_);
+  make_room(map_, width_, part_);
   for (int i = 0; i < prints; ++i) {
     const float at = first + static_cast<float>(i);
     add_footprint(at * du, at * dv, 1 / static_cast<float>(prints));
@@ -242,8 +255,8 @@ void TipFootprint::row(const TipRow& tip, int first, std::span<float> out) const
   const float middle = this->middle();
   read_row(map_.row(0), static_cast<int>(map_.view().stride()),
            {tip.u0 * size + middle, tip.v0 * size + middle, tip.du * size, tip.dv * size,
-            static_cast<float>(width_ - 2), static_cast<float>(rows_.begin),
-            static_cast<float>(rows_.end - 2)},
+            static_cast<float>(part_.x0), static_cast<float>(part_.x1 - 2),
+            static_cast<float>(part_.y0), static_cast<float>(part_.y1 - 2)},
            first, static_cast<int>(out.size()), out.data());
 }
 

@@ -8,6 +8,7 @@
 
 #include "core/base/field.h"
 #include "core/brush/stamp_plan.h"
+#include "core/canvas/cell_box.h"
 
 namespace pentimento {
 
@@ -43,7 +44,7 @@ class TipFootprint {
 
  private:
   void blend(const TipLevel& level);
-  void find_halves(const TipExtent& extent, float u_texels, float v_texels);
+  void find_reach(const TipExtent& extent, float u_texels, float v_texels);
   void average(float texels);
   void add_footprint(float u_texels, float v_texels, float weight);
   float middle() const {
@@ -54,7 +55,7 @@ class TipFootprint {
   int width_ = 0;                  // of the part of the maps that is in use, with margins
   int margin_ = 0;                 // texels around the tip; the outermost two are zero
   float half_u_ = 0, half_v_ = 0;  // texels from the middle; beyond them all is zero
-  CellSpan rows_;                  // of the maps that count; those at their ends are zero
+  CellBox part_;                   // of the maps that counts; its rim is zero
   Field<float> still_;             // the tip unmoved
   Field<float> map_;
   std::vector<float> box_weight_;

@@ -257,14 +257,14 @@ void Transfer::for_parts(const StampPlan& plan, int count, int part, Pass pass) 
     (this->*pass)(plan, 0, count);
     return;
   }
-  struct Task {
+  struct PartsOfStamp {
     Transfer* transfer;
     const StampPlan* plan;
     Pass pass;
-  } task{this, &plan, pass};
+  } work{this, &plan, pass};
   // One reference is captured, so that the function object needs no memory of its own.
-  threads_.for_ranges(0, count, part, [&task](int begin, int end) {
-    (task.transfer->*task.pass)(*task.plan, begin, end);
+  threads_.for_ranges(0, count, part, [&work](int begin, int end) {
+    (work.transfer->*work.pass)(*work.plan, begin, end);
   });
 }
 

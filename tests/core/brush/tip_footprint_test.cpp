@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -168,6 +169,42 @@ TEST_F(TipPrintTest, TouchesNothingBeyondItsReach) {
       EXPECT_LT(cells_in_reach(print), 1.5f * cover) << turn_rad << ", " << travel_m;
       print.draw_cells(plan_, kCell_m);
       cells_in_reach(print);
+    }
+  }
+}
+
+// Maps are kept from stamp to stamp, and only the rows that a tip has are made empty.
+TEST_F(TipPrintTest, DoesNotShowTheStampBefore) {
+  const Tip round(*builtin_brush("round"));
+  StampPlan before = plan_;
+  before.tip = &round;
+  before.extent = round.extent();
+  before.stamp = stamp_;
+  before.pose = pose_of(stamp_, *builtin_brush("round"), kCell_m);
+  plan_.extent = tip_.extent();
+  ASSERT_LT(plan_.extent.u, 0.5f);  // a narrow tip
+  stamp_.travel_m = 6e-4f;
+  plan_.stamp = stamp_;
+  plan_.pose = pose_of(stamp_, brush_, kCell_m);
+  const auto draws = {&TipFootprint::draw_cells, &TipFootprint::draw_swept};
+  for (const auto draw : draws) {
+    for (const float cell_m : {1e-4f, 5e-4f, 2e-3f}) {
+      TipFootprint used, fresh;
+      for (const auto first : draws) (used.*first)(before, cell_m);
+      (used.*draw)(plan_, cell_m);
+      (fresh.*draw)(plan_, cell_m);
+      const int cells = static_cast<int>(0.04f / cell_m);
+      const CanvasGeometry grid{cells, cells, 0.04, 0.04};
+      std::vector<float> value(static_cast<std::size_t>(cells)), wanted = value;
+      float most = 0;
+      for (int y = 0; y < cells; ++y) {
+        const TipRow row = tip_row(plan_.pose, {0, 0, cells, cells, true}, grid, y);
+        used.row(row, 0, value);
+        fresh.row(row, 0, wanted);
+        ASSERT_EQ(value, wanted) << "row " << y << ", cells of " << cell_m;
+        most = std::max(most, *std::max_element(wanted.begin(), wanted.end()));
+      }
+      EXPECT_GT(most, 0.1f);
     }
   }
 }
