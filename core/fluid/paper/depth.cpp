@@ -1,9 +1,11 @@
 #include "core/fluid/paper/depth.h"
 
+#include "core/base/kernel.h"
 #include "core/fluid/paper/step_constants.h"
 
 namespace pentimento::paper {
 
+PENTIMENTO_KERNEL
 void mark_moved_row(const CanvasState& state, int y, Columns cells, const float* u_m_s,
                     const float* v_m_s, std::uint8_t* moved) {
   const float* old_u = state.velocity_x_m_s.row(y);

@@ -1,5 +1,7 @@
 #include "core/fluid/paper/height_sweep.h"
 
+#include "core/base/kernel.h"
+
 namespace pentimento::paper {
 
 void sweep_height_row(const Stencil& system, const Field<float>& height_m, int y, Columns cells,
@@ -13,6 +15,7 @@ void sweep_height_row(const Stencil& system, const Field<float>& height_m, int y
   });
 }
 
+PENTIMENTO_KERNEL
 void limit_height_row(const Field<float>& base_m, float max_medium_m, int y, Columns cells,
                       float* height_m) {
   const float* b = base_m.row(y);

@@ -3,7 +3,9 @@
 #include <array>
 #include <cstring>
 
+#include "core/base/kernel.h"
 #include "core/fluid/paper/departure.h"
+#include "core/fluid/paper/near_pigment.h"
 
 namespace pentimento::paper {
 
@@ -13,6 +15,7 @@ constexpr int kChunk = 256;  // cells summed at a time, in the first-level cache
 using CellChunk = std::array<float, kChunk>;
 
 /// Adds share * plane to the sums of cells [begin, begin + count) of row y.
+PENTIMENTO_KERNEL
 void add_row(const Field<float>& plane, float share, int y, int begin, int count, CellChunk& sums) {
   const float* p = plane.row(y) + begin;
   for (int i = 0; i < count; ++i) sums[static_cast<std::size_t>(i)] += share * p[i];
@@ -26,6 +29,15 @@ float without_tail(float pigment) {
 Departure depart_layer(const StepConstants& k, const GridShape& grid, float share, int x, int y,
                        float u, float v) {
   return depart(x, y, share * u * (k.dt_s / k.dx_m), share * v * (k.dt_s / k.dy_m), grid);
+}
+
+/// Row y of a plane from x on, and the rows that the departure points lie in.
+NearRows rows_near(const Field<float>& plane, int x, int y, const NearDepartures& departures) {
+  const int last = plane.height() - 1;
+  const auto from = [&](int row) {
+    return plane.row(std::min(y + departures.shift_y + row, last)) + x + departures.shift_x;
+  };
+  return {{from(0), from(1), from(2)}, plane.row(y) + x};
 }
 
 }  // namespace
@@ -60,9 +72,9 @@ void find_free_row(const CanvasState& state, const std::vector<float>& amount, f
   }
 }
 
-void advect_pigment_row(const StepConstants& k, const CanvasState& state, int layer,
-                        const float* u_m_s, const float* v_m_s, int y, Columns cells,
-                        Planes& planes) {
+void advect_pigment_cells(const StepConstants& k, const CanvasState& state, int layer,
+                          const float* u_m_s, const float* v_m_s, int y, Columns cells,
+                          Planes& planes) {
   const GridShape grid = shape_of(state.depth_m);
   const std::uint8_t* occupied = planes.occupied.row(y);
   const float* loose = planes.free_frac.row(0);
@@ -82,6 +94,38 @@ void advect_pigment_row(const StepConstants& k, const CanvasState& state, int la
       planes.pigment[static_cast<std::size_t>(c)].row(y)[x] = without_tail(arrived);
     }
   }
+}
+
+void advect_pigment_row(const StepConstants& k, const CanvasState& state, int layer,
+                        const float* u_m_s, const float* v_m_s, int y, Columns cells,
+                        Planes& planes) {
+  const GridShape grid = shape_of(state.depth_m);
+  const auto plainly = [&](int begin, int end) {
+    if (begin < end) advect_pigment_cells(k, state, layer, u_m_s, v_m_s, y, {begin, end}, planes);
+  };
+  // Columns at the canvas's edge have no neighbour on one side.
+  const int first = std::min(std::max(cells.begin, 1), cells.end);
+  const int last = std::max(std::min(cells.end, grid.width - 1), first);
+  plainly(cells.begin, first);
+  NearDepartures from;
+  for (int x = first; x < last; x += kTogether) {
+    const int n = std::min(kTogether, last - x);
+    const NearCells near{
+        x, y, n, grid.width - 1, grid.height - 1, u_m_s + x, v_m_s + x, planes.occupied.row(y) + x};
+    if (!find_near(k, layer, near, from)) {
+      plainly(x, x + n);
+      continue;
+    }
+    for (int c = 0; c < state.channels; ++c) {
+      const NearRows pigment = rows_near(state.channel(layer, c), x, y, from);
+      float* arrived = planes.pigment[static_cast<std::size_t>(c)].row(y) + x;
+      if (layer == 0)
+        arrive_near_free(from, pigment, rows_near(planes.free_frac, x, y, from), n, arrived);
+      else
+        arrive_near(from, pigment, n, arrived);
+    }
+  }
+  plainly(last, cells.end);
 }
 
 bool store_pigment_row(const Planes& planes, int layer, int y, Columns cells, CanvasState& state) {

@@ -35,6 +35,12 @@ void advect_pigment_row(const StepConstants& k, const CanvasState& state, int la
                         const float* u_m_s, const float* v_m_s, int y, Columns cells,
                         Planes& planes);
 
+/// The plain way to do the same, cell by cell. advect_pigment_row() uses it for cells at the
+/// canvas's edge, and where neighbours get pigment from cells that are not (near_pigment.h).
+void advect_pigment_cells(const StepConstants& k, const CanvasState& state, int layer,
+                          const float* u_m_s, const float* v_m_s, int y, Columns cells,
+                          Planes& planes);
+
 /// Copies row y of the layer back from planes.pigment. Returns whether any bit changed.
 bool store_pigment_row(const Planes& planes, int layer, int y, Columns cells, CanvasState& state);
 

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/kernel.h"
+
 namespace pentimento::paper {
 
 void impose_brush_row(const BrushContact& contact, int y, Columns cells, float* u_m_s,
@@ -24,6 +26,7 @@ void close_edge_row(int y, int width, int height, Columns cells, float* u_m_s, f
   if (y == 0 || y == height - 1) std::fill(v_m_s + cells.begin, v_m_s + cells.end, 0.0f);
 }
 
+PENTIMENTO_KERNEL
 void limit_speed_row(const StepConstants& k, Columns cells, float* u_m_s, float* v_m_s) {
   const float threshold = k.threshold_m_s;
   const float cap = k.speed_cap_m_s > 0 ? k.speed_cap_m_s : std::numeric_limits<float>::max();

@@ -1,5 +1,7 @@
 #include "core/fluid/paper/wet_front.h"
 
+#include "core/base/kernel.h"
+
 namespace pentimento::paper {
 
 namespace {
@@ -107,6 +109,7 @@ void advance_front_along_columns(const StepConstants& k, const CanvasState& stat
   }
 }
 
+PENTIMENTO_KERNEL
 bool update_velocity_row(const BrushContact& contact, const Velocity& velocity,
                          const FrontInflow& inflow, int y, Columns cells, CanvasState& state) {
   const float* d = state.depth_m.row(y);

@@ -4,6 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cstring>
+#include <utility>
+#include <vector>
+
+#include "core/base/random.h"
+#include "core/fluid/paper/near_pigment.h"
 #include "tests/core/fluid/paper/canvases.h"
 
 namespace pentimento::paper {
@@ -89,6 +95,82 @@ TEST(Pigment, TheResidueOutlastsAnyFlow) {
     for (int x = 8; x < 24; ++x) lowest = std::min(lowest, canvas.state.channel(0, 0)(x, y));
   EXPECT_GE(lowest, least);
   EXPECT_LT(lowest, 0.03f / 2);  // and most of it did leave
+}
+
+// The oracle: cell by cell. All paint drifts so many cells, and each cell of its own besides, up to
+// a cell and beyond; there are still cells among them.
+TEST(Pigment, VectorsGiveTheBitsOfSingleCells) {
+  constexpr int kWidth = 150, kHeight = 9;
+  const std::vector<std::pair<float, float>> flows = {
+      {0, 0.3f}, {0, 1}, {0, 1.999f}, {0, 2}, {0, 7}, {5, 0.4f}, {-4.5f, 1}, {-3, 0.01f}};
+  for (const auto& [drift_cells, fastest_cells] : flows) {
+    TestCanvas canvas(kWidth, kHeight);
+    std::uint32_t n = 0;
+    const auto share = [&] { return random_uniform(RandomPurpose::kBristle, 9, ++n); };
+    for (int y = 0; y < kHeight; ++y)
+      for (int x = 0; x < kWidth; ++x)
+        for (Field<float>& plane : canvas.state.pigment)
+          plane(x, y) = (x / 5 + y) % 3 == 0 ? 0 : (x % 7 == 0 ? 2e-9f : 0.1f) * share();
+    Planes near = make_planes(kWidth, kHeight, canvas.state.channels);
+    Planes plain = make_planes(kWidth, kHeight, canvas.state.channels);
+    const StepInput in{canvas.model,   canvas.gravity, canvas.dt_s,
+                       canvas.contact, canvas.amount,  canvas.threads};
+    const StepConstants k = make_step_constants(canvas.state.geometry, in);
+    const float cell_m_s = k.dx_m / k.dt_s;
+    for (Planes* planes : {&near, &plain})
+      for (int y = 0; y < kHeight; ++y) {
+        find_free_row(canvas.state, canvas.amount, 0.02f, y, {0, kWidth}, *planes);
+        count_layers_row(canvas.state, y, {0, kWidth}, *planes);
+      }
+    for (int layer = 0; layer < canvas.state.layers; ++layer)
+      for (int y = 0; y < kHeight; ++y) {
+        std::vector<float> u(kWidth), v(kWidth);
+        for (std::size_t x = 0; x < u.size(); ++x) {
+          const auto any = [&] {
+            return (drift_cells + (2 * share() - 1) * fastest_cells) * cell_m_s;
+          };
+          u[x] = x % 4 == 0 ? 0 : any();
+          v[x] = x % 8 == 0 ? 0 : any();
+          if (x % 11 == 5) u[x] = (drift_cells - fastest_cells) * cell_m_s;  // just so far
+        }
+        for (const Columns cells : {Columns{0, kWidth}, Columns{1, 2}, Columns{3, 140}}) {
+          advect_pigment_row(k, canvas.state, layer, u.data(), v.data(), y, cells, near);
+          advect_pigment_cells(k, canvas.state, layer, u.data(), v.data(), y, cells, plain);
+          for (std::size_t c = 0; c < near.pigment.size(); ++c)
+            ASSERT_EQ(
+                std::memcmp(near.pigment[c].row(y) + cells.begin,
+                            plain.pigment[c].row(y) + cells.begin, cells.count() * sizeof(float)),
+                0)
+                << "layer " << layer << ", row " << y << ", " << drift_cells << " and "
+                << fastest_cells << " cells";
+        }
+      }
+  }
+}
+
+// Three columns and three rows hold the departure points of paint that drifts evenly.
+TEST(Pigment, PaintThatMovesAlikeComesFromNextToEachOther) {
+  TestCanvas canvas(150, 9);
+  const StepInput in{canvas.model,   canvas.gravity, canvas.dt_s,
+                     canvas.contact, canvas.amount,  canvas.threads};
+  const StepConstants k = make_step_constants(canvas.state.geometry, in);
+  const float cell_m_s = k.dx_m / k.dt_s;
+  const std::vector<std::uint8_t> occupied(kTogether, 1);
+  NearDepartures found;
+  const auto near = [&](float drift_cells, float other_cells, int x) {
+    std::vector<float> u(kTogether, 2 * drift_cells * cell_m_s), v(kTogether, 0);
+    u[3] = 2 * other_cells * cell_m_s;  // the lowest of one layer moves half as far
+    return find_near(k, 0, {x, 4, kTogether, 149, 8, u.data(), v.data(), occupied.data()}, found);
+  };
+  EXPECT_TRUE(near(0.5f, -0.5f, 40));
+  EXPECT_EQ(found.shift_x, -1);
+  EXPECT_EQ(found.shift_y, 0);
+  EXPECT_TRUE(near(5.25f, 4.5f, 40));
+  EXPECT_EQ(found.shift_x, -6);
+  EXPECT_FALSE(near(1.5f, -0.5f, 40));  // four columns
+  EXPECT_FALSE(near(5.25f, 4.5f, 5));   // a column beyond the canvas
+  EXPECT_TRUE(near(0, 0, 40));
+  EXPECT_EQ(found.moves[3], 0);
 }
 
 }  // namespace
