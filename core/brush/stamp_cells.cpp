@@ -5,6 +5,7 @@
 
 #include "core/base/any_not_zero.h"
 #include "core/base/kernel.h"
+#include "core/base/scratch.h"
 #include "core/layers/cell_packet.h"
 
 namespace pentimento {
@@ -12,7 +13,7 @@ namespace pentimento {
 namespace {
 constexpr std::size_t kLongRun = kPacketCells;        // cells: a run of them needs no company
 constexpr std::size_t kBandCells = 8 * kPacketCells;  // gathered: some planes fit the first cache
-constexpr std::size_t kPadding = 16;                  // floats of a cache line
+constexpr std::size_t kLineFloats = 16;               // floats of a cache line
 
 /// from[runs] -> cells. Returns whether any bit of them is set.
 template <typename T>
@@ -48,11 +49,6 @@ PENTIMENTO_KERNEL
 void put_back_runs(const float* cells, const CellRun* runs, std::size_t count, float* to) {
   put_back_values(cells, runs, count, to);
 }
-
-template <typename T>
-void grow(std::vector<T>& scratch, std::size_t size) {
-  if (scratch.size() < size) scratch.resize(size);
-}
 }  // namespace
 
 StampCells::StampCells(CanvasState& state, std::span<const float> amount)
@@ -76,7 +72,7 @@ void StampCells::cut(const FootprintBox& box, std::span<const TouchedCells> rows
     bands_.back().end = y + 1;
     bands_.back().cells += count;
   }
-  const std::size_t pitch = (all + kPadding - 1) / kPadding * kPadding;
+  const std::size_t pitch = (all + kLineFloats - 1) / kLineFloats * kLineFloats;
   grow(pigment_, pitch * cells_.size());
   grow(depth_m_, pitch);
   grow(stroke_, pitch);

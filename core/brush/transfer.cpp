@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/scratch.h"
 #include "core/brush/stamp_shares.h"
 
 namespace pentimento {
@@ -70,11 +71,6 @@ float dabbed(const Stamp& stamp, const TipExtent& extent) {
   constexpr float kWholeFilm = 0.5f;  // of the tip's square: the print of a round tip
   const bool stands = stamp.dab.x != 0 || stamp.dab.y != 0;
   return stands ? std::min(1.0f, extent.u * extent.v / kWholeFilm) : 1.0f;
-}
-
-template <typename T>
-void grow(std::vector<T>& scratch, std::size_t size) {
-  if (scratch.size() < size) scratch.resize(size);
 }
 }  // namespace
 

@@ -8,10 +8,6 @@
 namespace pentimento::paper {
 
 namespace {
-inline float without_tail(float pigment) {
-  return pigment < kNoPigment ? 0.0f : pigment;
-}
-
 /// Which of three columns and rows a departure point lies between, and how far.
 struct AmongThree {
   bool first_columns, first_rows;

@@ -21,10 +21,6 @@ void add_row(const Field<float>& plane, float share, int y, int begin, int count
   for (int i = 0; i < count; ++i) sums[static_cast<std::size_t>(i)] += share * p[i];
 }
 
-float without_tail(float pigment) {
-  return pigment < kNoPigment ? 0.0f : pigment;
-}
-
 /// The departure point of this layer's pigment in cell (x, y). u and v: velocity of the surface.
 Departure depart_layer(const StepConstants& k, const GridShape& grid, float share, int x, int y,
                        float u, float v) {

@@ -11,6 +11,11 @@ namespace pentimento::paper {
 inline constexpr float kNoFilm_m = 1e-9f;
 inline constexpr float kNoPigment = 1e-9f;
 
+/// An amount of pigment, or none.
+inline float without_tail(float pigment) {
+  return pigment < kNoPigment ? 0.0f : pigment;
+}
+
 struct StepConstants {
   float dt_s, dx_m, dy_m;
   float gravity_x_m_s2, gravity_y_m_s2;

@@ -3,6 +3,10 @@
 #include <gtest/gtest.h>
 #include <malloc.h>
 
+#include <cstdint>
+#include <fstream>
+#include <string>
+
 #include "tests/replay/small_job.h"
 
 namespace pentimento {
@@ -49,9 +53,22 @@ std::int64_t memory_without_outputs(int detail = 1) {
   return e.memory();
 }
 
+/// Bytes of this process's writable memory, whether it was written to or not.
+std::int64_t data_bytes() {
+  std::ifstream status("/proc/self/status");
+  std::string word;
+  while (status >> word) {
+    std::int64_t kibibytes = 0;
+    if (word == "VmData:" && status >> kibibytes) return kibibytes * 1024;
+  }
+  return 0;
+}
+
+/// By the allocator, and as mappings beside it (core/base/plane_memory.h).
 std::int64_t allocated() {
   const struct mallinfo2 info = ::mallinfo2();
-  return static_cast<std::int64_t>(info.uordblks + info.hblkhd);
+  const auto of_allocator = static_cast<std::int64_t>(info.arena + info.hblkhd);
+  return static_cast<std::int64_t>(info.uordblks + info.hblkhd) + data_bytes() - of_allocator;
 }
 
 /// False under a sanitizer, which has an allocator of its own.
