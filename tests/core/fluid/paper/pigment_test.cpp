@@ -103,7 +103,8 @@ TEST(Pigment, VectorsGiveTheBitsOfSingleCells) {
   constexpr int kWidth = 150, kHeight = 9;
   const std::vector<std::pair<float, float>> flows = {
       {0, 0.3f}, {0, 1}, {0, 1.999f}, {0, 2}, {0, 7}, {5, 0.4f}, {-4.5f, 1}, {-3, 0.01f}};
-  for (const auto& [drift_cells, fastest_cells] : flows) {
+  for (const auto& flow : flows) {
+    const float drift_cells = flow.first, fastest_cells = flow.second;
     TestCanvas canvas(kWidth, kHeight);
     std::uint32_t n = 0;
     const auto share = [&] { return random_uniform(RandomPurpose::kBristle, 9, ++n); };
