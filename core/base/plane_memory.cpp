@@ -22,8 +22,12 @@ std::size_t room_of(std::size_t plane_bytes) {
   return rounded_up(plane_bytes, kLine_bytes) + kStagger_bytes;
 }
 
+// The address sanitizer finds what runs over from plane to plane only if each has memory of its
+// own. gcc and clang tell of it in different ways.
 #if defined(__SANITIZE_ADDRESS__)
-constexpr bool kFindsOverflows = true;  // between planes, if each has memory of its own
+constexpr bool kFindsOverflows = true;
+#elif defined(__has_feature)
+constexpr bool kFindsOverflows = __has_feature(address_sanitizer);
 #else
 constexpr bool kFindsOverflows = false;
 #endif

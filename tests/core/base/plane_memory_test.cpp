@@ -19,6 +19,8 @@ constexpr int kSide = 1024;  // planes of 4 MiB
 bool gives_large_pages() {
 #if defined(__SANITIZE_ADDRESS__)
   return false;  // each plane has memory of its own, so that overflows are found
+#elif defined(__has_feature)
+  return !__has_feature(address_sanitizer);
 #else
   return true;
 #endif
