@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/base/any_not_zero.h"
 #include "core/optics/composite.h"
 
 namespace pentimento {
@@ -35,6 +36,27 @@ CoverageRows depth_around(const Field<float>& depth_m, int y) {
   }
   return out;
 }
+
+/// Whether drying may change the reflectance of row y. Most of a canvas is bare at most times.
+bool may_be_wet(const CanvasState& state, int y) {
+  const auto has_paint = [&](const Field<float>& plane) {
+    return any_not_zero(plane.row(y), plane.width());
+  };
+  return has_paint(state.depth_m) || std::ranges::any_of(state.pigment, has_paint);
+}
+
+void dry_row(CanvasState& state, const CompositeOptics& optics, EdgeCells edges, int y) {
+  if (!may_be_wet(state, y)) return;
+  std::vector<float*> reflectance;
+  for (Field<float>& band : state.reflectance) reflectance.push_back(band.row(y));
+  std::vector<float> coverage;
+  if (edges == EdgeCells::kPartlyCovered) {
+    coverage.resize(static_cast<std::size_t>(state.geometry.width));
+    edge_coverage_row(depth_around(state.depth_m, y), coverage);
+  }
+  composite_row(optics, state, y, coverage, reflectance);
+  for (int x = 0; x < state.geometry.width; ++x) state.base_m(x, y) += state.depth_m(x, y);
+}
 }  // namespace
 
 PaintFlow wet_paint(const CanvasState& state) {
@@ -52,17 +74,7 @@ void dry_canvas(CanvasState& state, const ChannelBasis& basis, const Model& mode
                 const Threads& threads, PaintFlow& dried) {
   add(wet_paint(state), dried);
   const CompositeOptics optics = make_composite_optics(basis, model);
-  threads.for_rows(state.geometry.height, [&](int y) {
-    std::vector<float*> reflectance;
-    for (Field<float>& band : state.reflectance) reflectance.push_back(band.row(y));
-    std::vector<float> coverage;
-    if (edges == EdgeCells::kPartlyCovered) {
-      coverage.resize(static_cast<std::size_t>(state.geometry.width));
-      edge_coverage_row(depth_around(state.depth_m, y), coverage);
-    }
-    composite_row(optics, state, y, coverage, reflectance);
-    for (int x = 0; x < state.geometry.width; ++x) state.base_m(x, y) += state.depth_m(x, y);
-  });
+  threads.for_rows(state.geometry.height, [&](int y) { dry_row(state, optics, edges, y); });
   for (Field<float>* plane : {&state.depth_m, &state.velocity_x_m_s, &state.velocity_y_m_s})
     plane->fill(0);
   for (Field<float>& plane : state.pigment) plane.fill(0);

@@ -21,7 +21,8 @@ std::size_t files_below(const std::string& folder) {
 
 /// The picture of the small painting, rendered with these variables set.
 std::string picture(const Workplace& place, const std::string& variables) {
-  const Ran ran = place.run("render a.jsonl -o a.png --quiet", "env " + variables);
+  const Ran ran = place.run("render a.jsonl -o a.png --quiet",
+                            "env " + variables + " MESA_SHADER_CACHE_DISABLE=true");
   EXPECT_EQ(ran.code, 0) << ran.err;
   EXPECT_EQ(ran.err, "");
   return place.read("a.png");

@@ -13,10 +13,10 @@ constexpr std::array<double, 8> kWaits_s = {0, 0.001, 0.011, 1.0 / 45, 0.023, 0.
 constexpr std::array<const char*, 8> kBrushes = {"round", "flat",   "filbert", "bristle",
                                                  "fan",   "rigger", "knife",   "rag"};
 
-/// Of stamps, in diameters, until the log says another: half of the usual 30 mm is about a cell.
-/// The usual spacing would make twenty times as many stamps.
-constexpr double kFirstSpacing = 0.5;
-/// From one sample to the next, along x and along y: five cells, a few stamps.
+/// Of stamps, in diameters, until the log says another: the usual 30 mm are about two cells. The
+/// usual spacing would make forty times as many stamps, and stamps are most of a replay.
+constexpr double kFirstSpacing = 1;
+/// From one sample to the next, along x and along y: five cells, one stamp or two.
 constexpr double kFarthest_m = 0.06;
 
 /// What may a slider be, in a replay that takes a millisecond: brushes of the size of cells (13 mm)

@@ -128,7 +128,8 @@ TEST_F(BadDump, EveryTruncationIsAnError) {
   const std::string whole = test::slurp(path_);
   const std::string cut = scratch_.path("cut.h5");
   // Each length near both ends, and every 256th between: the middle is alike.
-  for (std::size_t n = 0; n < whole.size(); n += n < 64 || n + 32 > whole.size() ? 1 : 256) {
+  for (std::size_t n = 0; n < whole.size();
+       n += n < 64 || n + 32 > whole.size() ? 1 : 256 * test::kStride) {
     test::spill(cut, whole.substr(0, n));
     const auto dump = read_state(cut);
     ASSERT_FALSE(dump) << "cut to " << n << " of " << whole.size();

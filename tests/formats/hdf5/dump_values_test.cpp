@@ -5,6 +5,7 @@
 
 #include "formats/io/provenance.h"
 #include "tests/formats/hdf5/changed_dump.h"
+#include "tests/sanitized.h"
 
 namespace pentimento {
 namespace {
@@ -30,6 +31,7 @@ class DumpValues : public test::ChangedDump {
 };
 
 TEST_F(DumpValues, NoDatasetMayHoldWhatIsNotFinite) {
+  int number = 0;
   for (const char* name : {"/fluid/depth",
                            "/fluid/velocity_x",
                            "/fluid/velocity_y",
@@ -53,6 +55,7 @@ TEST_F(DumpValues, NoDatasetMayHoldWhatIsNotFinite) {
                            "/lighting/reflection"})
     for (const double value : {std::nan(""), std::numeric_limits<double>::infinity(),
                                -std::numeric_limits<double>::infinity()}) {
+      if (number++ % test::kStride != 0) continue;
       SCOPED_TRACE(name);
       EXPECT_NE(after([&](hid_t f) { set_first(f, name, value); }), "fine");
       EXPECT_EQ(code_, ErrorCode::kBadInput);
@@ -108,10 +111,12 @@ TEST_F(DumpValues, NumbersOfTheRootHaveRanges) {
 }
 
 TEST_F(DumpValues, NumbersOfTheLightHaveRanges) {
+  int number = 0;
   for (const char* name : {"lamp_intensity", "reflection_fov_deg", "roughness_wet", "roughness_dry",
                            "refractive_index", "relief_scale", "exposure_ev", "varnish",
                            "occlusion", "white_x", "white_y"})
     for (const double value : {std::nan(""), 3e38, -3e38}) {
+      if (number++ % test::kStride != 0) continue;
       SCOPED_TRACE(name);
       EXPECT_NE(after([&](hid_t f) { set_of_group(f, "/lighting", name, value); }), "fine");
       EXPECT_EQ(code_, ErrorCode::kBadInput);
