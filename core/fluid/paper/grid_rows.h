@@ -40,17 +40,27 @@ inline Rows rows_at(const Field<float>& f, int y) {
   return {f.row(std::max(y - 1, 0)), f.row(y), f.row(std::min(y + 1, f.height() - 1))};
 }
 
-/// Calls body(x, left, right) for the cells of a row; left and right are the neighbours' columns.
-template <typename Body>
-void for_cells(Columns cells, int width, Body body) {
+/// Calls at_edge(x, left, right) for cells at the canvas's edge and inside(begin, end) for those
+/// between, which have both neighbours.
+template <typename AtEdge, typename Inside>
+void for_edges_and_inside(Columns cells, int width, AtEdge at_edge, Inside inside) {
   int x = cells.begin;
   if (x == 0 && x < cells.end) {
-    body(0, 0, std::min(1, width - 1));
+    at_edge(0, 0, std::min(1, width - 1));
     ++x;
   }
   const int inner_end = std::min(cells.end, width - 1);
-  for (; x < inner_end; ++x) body(x, x - 1, x + 1);
-  if (x < cells.end) body(x, x - 1, x);
+  if (x < inner_end) inside(x, inner_end);
+  x = std::max(x, inner_end);
+  if (x < cells.end) at_edge(x, x - 1, x);
+}
+
+/// Calls body(x, left, right) for the cells of a row; left and right are the neighbours' columns.
+template <typename Body>
+void for_cells(Columns cells, int width, Body body) {
+  for_edges_and_inside(cells, width, body, [&](int begin, int end) {
+    for (int x = begin; x < end; ++x) body(x, x - 1, x + 1);
+  });
 }
 
 }  // namespace pentimento::paper

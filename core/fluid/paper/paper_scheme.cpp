@@ -9,6 +9,7 @@
 #include "core/fluid/paper/height_sweep.h"
 #include "core/fluid/paper/height_system.h"
 #include "core/fluid/paper/pigment.h"
+#include "core/fluid/paper/sweeps.h"
 #include "core/fluid/paper/trace.h"
 #include "core/fluid/paper/velocity_limits.h"
 #include "core/fluid/paper/viscosity.h"
@@ -142,15 +143,14 @@ const Field<float>& PaperScheme::solve_height(const CanvasState& state, const St
   });
   // R9: Jacobi sweeps from the old height; the last one keeps the height between base and full.
   const int sweeps = in.model.jacobi_iterations;
-  for (int sweep = 0; sweep < sweeps; ++sweep) {
-    const Field<float>& from = planes_.height_m[at(sweep % 2)];
+  for_sweeps(in.threads, rows_.row_begin(), rows_.row_end(), sweeps, [&](int sweep, int y) {
+    const Columns cells = rows_.live(y);
+    if (cells.empty()) return;
     Field<float>& to = planes_.height_m[at((sweep + 1) % 2)];
-    for_live_rows(in, [&](int y, Columns cells) {
-      sweep_height_row(planes_.system, from, y, cells, to.row(y));
-      if (sweep + 1 == sweeps)
-        limit_height_row(state.base_m, constants_.max_medium_m, y, cells, to.row(y));
-    });
-  }
+    sweep_height_row(planes_.system, planes_.height_m[at(sweep % 2)], y, cells, to.row(y));
+    if (sweep + 1 == sweeps)
+      limit_height_row(state.base_m, constants_.max_medium_m, y, cells, to.row(y));
+  });
   return planes_.height_m[at(sweeps % 2)];
 }
 
@@ -163,16 +163,17 @@ std::size_t PaperScheme::solve_velocity(const CanvasState& state, const StepInpu
   });
   // R13, A9: the viscosity by as many sweeps; the right side stays in the first buffer.
   const Velocity right_side{planes_.u_m_s[0], planes_.v_m_s[0]};
-  std::size_t latest = 0;
-  for (int sweep = 0; sweep < in.model.jacobi_iterations; ++sweep) {
-    const Velocity from{planes_.u_m_s[latest], planes_.v_m_s[latest]};
-    const std::size_t to = latest == 1 ? 2 : 1;
-    for_live_rows(in, [&](int y, Columns cells) {
-      sweep_viscosity_row(planes_.system, right_side, from, y, cells, planes_.u_m_s[to].row(y),
-                          planes_.v_m_s[to].row(y));
-    });
-    latest = to;
-  }
+  const int sweeps = in.model.jacobi_iterations;
+  // After so many sweeps the velocity is in this buffer.
+  const auto buffer = [](int done) { return at(done == 0 ? 0 : done % 2 == 1 ? 1 : 2); };
+  for_sweeps(in.threads, rows_.row_begin(), rows_.row_end(), sweeps, [&](int sweep, int y) {
+    const Columns cells = rows_.live(y);
+    if (cells.empty()) return;
+    const std::size_t from = buffer(sweep), to = buffer(sweep + 1);
+    sweep_viscosity_row(planes_.system, right_side, {planes_.u_m_s[from], planes_.v_m_s[from]}, y,
+                        cells, planes_.u_m_s[to].row(y), planes_.v_m_s[to].row(y));
+  });
+  const std::size_t latest = buffer(sweeps);
   // R14, R17, R16: limits, brush and edge once more, on the result.
   for_live_rows(in, [&](int y, Columns) { finish_row(state, in, latest, y); });
   return latest;

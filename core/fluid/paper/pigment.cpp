@@ -1,6 +1,7 @@
 #include "core/fluid/paper/pigment.h"
 
 #include <array>
+#include <cstdint>
 #include <cstring>
 
 #include "core/base/kernel.h"
@@ -13,6 +14,7 @@ namespace {
 
 constexpr int kChunk = 256;  // cells summed at a time, in the first-level cache
 using CellChunk = std::array<float, kChunk>;
+using CellCounts = std::array<std::int32_t, kChunk>;
 
 /// Adds share * plane to the sums of cells [begin, begin + count) of row y.
 PENTIMENTO_KERNEL
@@ -21,19 +23,34 @@ void add_row(const Field<float>& plane, float share, int y, int begin, int count
   for (int i = 0; i < count; ++i) sums[static_cast<std::size_t>(i)] += share * p[i];
 }
 
+/// Counts one layer more in cells whose amounts have a sum above 0.
+PENTIMENTO_KERNEL
+void count_occupied(const CellChunk& sums, int count, CellCounts& layers) {
+  for (int i = 0; i < count; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    layers[at] += sums[at] > 0.0f ? 1 : 0;
+  }
+}
+
+PENTIMENTO_KERNEL
+void store_counts(const CellCounts& layers, int count, std::uint8_t* __restrict occupied) {
+  for (int i = 0; i < count; ++i)
+    occupied[i] = static_cast<std::uint8_t>(layers[static_cast<std::size_t>(i)]);
+}
+
+PENTIMENTO_KERNEL
+void find_free(const CellChunk& sums, float residue, int count, float* __restrict free_frac) {
+  for (int i = 0; i < count; ++i) {
+    const float sum = sums[static_cast<std::size_t>(i)];
+    const float free = 1.0f - residue / (sum > residue ? sum : 1.0f);
+    free_frac[i] = sum > residue ? free : 0.0f;
+  }
+}
+
 /// The departure point of this layer's pigment in cell (x, y). u and v: velocity of the surface.
 Departure depart_layer(const StepConstants& k, const GridShape& grid, float share, int x, int y,
                        float u, float v) {
   return depart(x, y, share * u * (k.dt_s / k.dx_m), share * v * (k.dt_s / k.dy_m), grid);
-}
-
-/// Row y of a plane from x on, and the rows that the departure points lie in.
-NearRows rows_near(const Field<float>& plane, int x, int y, const NearDepartures& departures) {
-  const int last = plane.height() - 1;
-  const auto from = [&](int row) {
-    return plane.row(std::min(y + departures.shift_y + row, last)) + x + departures.shift_x;
-  };
-  return {{from(0), from(1), from(2)}, plane.row(y) + x};
 }
 
 }  // namespace
@@ -42,14 +59,14 @@ void count_layers_row(const CanvasState& state, int y, Columns cells, Planes& pl
   std::uint8_t* occupied = planes.occupied.row(y);
   for (int begin = cells.begin; begin < cells.end; begin += kChunk) {
     const int count = std::min(kChunk, cells.end - begin);
-    std::fill_n(occupied + begin, count, std::uint8_t{0});
+    CellCounts layers{};
     for (int layer = 0; layer < state.layers; ++layer) {
       CellChunk sums{};
       for (int c = 0; c < state.channels; ++c)
         add_row(state.channel(layer, c), 1.0f, y, begin, count, sums);
-      for (int i = 0; i < count; ++i)
-        if (sums[static_cast<std::size_t>(i)] > 0.0f) ++occupied[begin + i];
+      count_occupied(sums, count, layers);
     }
+    store_counts(layers, count, occupied + begin);
   }
 }
 
@@ -61,10 +78,7 @@ void find_free_row(const CanvasState& state, const std::vector<float>& amount, f
     CellChunk sums{};
     for (int c = 0; c < state.channels; ++c)
       add_row(state.channel(0, c), amount[static_cast<std::size_t>(c)], y, begin, count, sums);
-    for (int i = 0; i < count; ++i) {
-      const float sum = sums[static_cast<std::size_t>(i)];
-      loose[begin + i] = sum > residue ? 1.0f - residue / sum : 0.0f;
-    }
+    find_free(sums, residue, count, loose + begin);
   }
 }
 
@@ -104,11 +118,13 @@ void advect_pigment_row(const StepConstants& k, const CanvasState& state, int la
   const int last = std::max(std::min(cells.end, grid.width - 1), first);
   plainly(cells.begin, first);
   NearDepartures from;
+  std::array<float, kTogether> share;
   for (int x = first; x < last; x += kTogether) {
     const int n = std::min(kTogether, last - x);
-    const NearCells near{
-        x, y, n, grid.width - 1, grid.height - 1, u_m_s + x, v_m_s + x, planes.occupied.row(y) + x};
-    if (!find_near(k, layer, near, from)) {
+    layer_shares(layer, planes.occupied.row(y) + x, n, share.data());
+    const NearCells near{x,         y,         n,           grid.width - 1, grid.height - 1,
+                         u_m_s + x, v_m_s + x, share.data()};
+    if (!find_near(k, near, from)) {
       plainly(x, x + n);
       continue;
     }

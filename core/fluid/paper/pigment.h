@@ -36,7 +36,7 @@ void advect_pigment_row(const StepConstants& k, const CanvasState& state, int la
                         Planes& planes);
 
 /// The plain way to do the same, cell by cell. advect_pigment_row() uses it for cells at the
-/// canvas's edge, and where neighbours get pigment from cells that are not (near_pigment.h).
+/// canvas's edge, and where neighbours get pigment from cells that are not (near_departures.h).
 void advect_pigment_cells(const StepConstants& k, const CanvasState& state, int layer,
                           const float* u_m_s, const float* v_m_s, int y, Columns cells,
                           Planes& planes);

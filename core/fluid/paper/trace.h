@@ -25,4 +25,9 @@ struct TracedRow {
 void trace_row(const StepConstants& k, const CanvasState& state, int y, Columns cells,
                const TracedRow& out);
 
+/// The plain way to do the same, cell by cell. trace_row() uses it for cells at the canvas's edge,
+/// and where neighbours come from cells that are not (near_departures.h).
+void trace_cells(const StepConstants& k, const CanvasState& state, int y, Columns cells,
+                 const TracedRow& out);
+
 }  // namespace pentimento::paper

@@ -156,12 +156,12 @@ TEST(Pigment, PaintThatMovesAlikeComesFromNextToEachOther) {
                      canvas.contact, canvas.amount,  canvas.threads};
   const StepConstants k = make_step_constants(canvas.state.geometry, in);
   const float cell_m_s = k.dx_m / k.dt_s;
-  const std::vector<std::uint8_t> occupied(kTogether, 1);
+  const std::vector<float> half(kTogether, 0.5f);
   NearDepartures found;
   const auto near = [&](float drift_cells, float other_cells, int x) {
     std::vector<float> u(kTogether, 2 * drift_cells * cell_m_s), v(kTogether, 0);
-    u[3] = 2 * other_cells * cell_m_s;  // the lowest of one layer moves half as far
-    return find_near(k, 0, {x, 4, kTogether, 149, 8, u.data(), v.data(), occupied.data()}, found);
+    u[3] = 2 * other_cells * cell_m_s;
+    return find_near(k, {x, 4, kTogether, 149, 8, u.data(), v.data(), half.data()}, found);
   };
   EXPECT_TRUE(near(0.5f, -0.5f, 40));
   EXPECT_EQ(found.shift_x, -1);
