@@ -77,4 +77,18 @@ inline float interpolate_near(const NearDepartures& d, int i, const Value& value
   return mix(top, bottom, d.fy[at]);
 }
 
+/// Goes along cells of a row: near(x, n) for up to `together` cells that have neighbours on both
+/// sides, and plainly(begin, end) for the others and where near() returns false.
+template <typename Near, typename Plainly>
+void for_near_cells(Columns cells, int width, int together, Near near, Plainly plainly) {
+  const int first = std::min(std::max(cells.begin, 1), cells.end);
+  const int last = std::max(std::min(cells.end, width - 1), first);
+  if (cells.begin < first) plainly(cells.begin, first);
+  for (int x = first; x < last; x += together) {
+    const int n = std::min(together, last - x);
+    if (!near(x, n)) plainly(x, x + n);
+  }
+  if (last < cells.end) plainly(last, cells.end);
+}
+
 }  // namespace pentimento::paper

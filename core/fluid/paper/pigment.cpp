@@ -110,24 +110,13 @@ void advect_pigment_row(const StepConstants& k, const CanvasState& state, int la
                         const float* u_m_s, const float* v_m_s, int y, Columns cells,
                         Planes& planes) {
   const GridShape grid = shape_of(state.depth_m);
-  const auto plainly = [&](int begin, int end) {
-    if (begin < end) advect_pigment_cells(k, state, layer, u_m_s, v_m_s, y, {begin, end}, planes);
-  };
-  // Columns at the canvas's edge have no neighbour on one side.
-  const int first = std::min(std::max(cells.begin, 1), cells.end);
-  const int last = std::max(std::min(cells.end, grid.width - 1), first);
-  plainly(cells.begin, first);
   NearDepartures from;
   std::array<float, kTogether> share;
-  for (int x = first; x < last; x += kTogether) {
-    const int n = std::min(kTogether, last - x);
+  const auto near = [&](int x, int n) {
     layer_shares(layer, planes.occupied.row(y) + x, n, share.data());
-    const NearCells near{x,         y,         n,           grid.width - 1, grid.height - 1,
-                         u_m_s + x, v_m_s + x, share.data()};
-    if (!find_near(k, near, from)) {
-      plainly(x, x + n);
-      continue;
-    }
+    const float *u = u_m_s + x, *v = v_m_s + x;
+    const NearCells some{x, y, n, grid.width - 1, grid.height - 1, u, v, share.data()};
+    if (!find_near(k, some, from)) return false;
     for (int c = 0; c < state.channels; ++c) {
       const NearRows pigment = rows_near(state.channel(layer, c), x, y, from);
       float* arrived = planes.pigment[static_cast<std::size_t>(c)].row(y) + x;
@@ -136,8 +125,11 @@ void advect_pigment_row(const StepConstants& k, const CanvasState& state, int la
       else
         arrive_near(from, pigment, n, arrived);
     }
-  }
-  plainly(last, cells.end);
+    return true;
+  };
+  for_near_cells(cells, grid.width, kTogether, near, [&](int begin, int end) {
+    advect_pigment_cells(k, state, layer, u_m_s, v_m_s, y, {begin, end}, planes);
+  });
 }
 
 bool store_pigment_row(const Planes& planes, int layer, int y, Columns cells, CanvasState& state) {

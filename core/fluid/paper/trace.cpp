@@ -17,8 +17,8 @@ std::pair<int, int> nearest(const Departure& p) {
   return {p.fx < 0.5f ? p.x0 : p.x1, p.fy < 0.5f ? p.y0 : p.y1};
 }
 
-/// Cells traced at a time. At the surface departure points part sooner than in the layers below: of
-/// twice as many cells twice as many would be traced one by one.
+/// Cells traced at a time. At the surface departure points part sooner than in the layers below,
+/// and cells whose points part are traced one by one (docs/bench/paper_scheme.md has the times).
 constexpr int kTracedTogether = 32;
 static_assert(kTracedTogether <= kTogether);
 
@@ -89,37 +89,23 @@ void trace_row(const StepConstants& k, const CanvasState& state, int y, Columns 
                const TracedRow& out) {
   static constexpr std::array<float, kTogether> kWhole = whole_shares();
   const GridShape grid = shape_of(state.depth_m);
-  const auto plainly = [&](int begin, int end) {
-    if (begin < end) trace_cells(k, state, y, {begin, end}, out);
-  };
-  // Columns at the canvas's edge have no neighbour on one side.
-  const int first = std::min(std::max(cells.begin, 1), cells.end);
-  const int last = std::max(std::min(cells.end, grid.width - 1), first);
-  plainly(cells.begin, first);
   NearDepartures from;
   std::array<std::int32_t, kTogether> entered;
-  for (int x = first; x < last; x += kTracedTogether) {
-    const int n = std::min(kTracedTogether, last - x);
-    const NearCells near{x,
-                         y,
-                         n,
-                         grid.width - 1,
-                         grid.height - 1,
-                         state.velocity_x_m_s.row(y) + x,
-                         state.velocity_y_m_s.row(y) + x,
-                         kWhole.data()};
-    if (!find_near(k, near, from)) {
-      plainly(x, x + n);
-      continue;
-    }
+  const auto near = [&](int x, int n) {
+    const float *u = state.velocity_x_m_s.row(y) + x, *v = state.velocity_y_m_s.row(y) + x;
+    const NearCells some{x, y, n, grid.width - 1, grid.height - 1, u, v, kWhole.data()};
+    if (!find_near(k, some, from)) return false;
     const auto rows = [&](const Field<float>& plane) { return rows_near(plane, x, y, from); };
     const NearFluid fluid{rows(state.velocity_x_m_s), rows(state.velocity_y_m_s),
                           rows(state.depth_m), rows(state.base_m)};
     if (trace_near(from, fluid, k.dry_film_m, n, out.u_m_s + x, out.v_m_s + x, out.height_m + x,
                    entered.data()))
-      take_mobility_near(k, state, near, from, entered.data(), out.mobility_frac);
-  }
-  plainly(last, cells.end);
+      take_mobility_near(k, state, some, from, entered.data(), out.mobility_frac);
+    return true;
+  };
+  for_near_cells(cells, grid.width, kTracedTogether, near, [&](int begin, int end) {
+    trace_cells(k, state, y, {begin, end}, out);
+  });
 }
 
 void trace_cells(const StepConstants& k, const CanvasState& state, int y, Columns cells,
