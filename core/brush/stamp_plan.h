@@ -65,26 +65,27 @@ struct CellHeight {
 };
 
 /// The weight that pick_up_row() takes, with plan.pick_up, where the bristles hold with `hold`. For
-/// bristles it is `hold`; for a blade it follows from what stands above the blade's edge. `end`:
-/// Tip::end_table() at the cell.
-inline float stamp_pick_up_weight(const StampPlan& plan, float hold, float end,
+/// bristles it is `hold`; for a blade it follows from what stands above the blade's edge. `takes`:
+/// BladeEnds::takes at the cell.
+inline float stamp_pick_up_weight(const StampPlan& plan, float hold, float takes,
                                   const CellHeight& cell) {
   if (!(plan.scrape_frac > 0)) return hold;
   const float above = std::clamp(cell.surface_m - plan.scrape_height_m, 0.0f, cell.depth_m);
   const float scraped = cell.depth_m > 0 ? plan.scrape_frac * (above / cell.depth_m) : 0.0f;
-  return std::max(plan.pickup_frac * hold, std::min(hold, 1.0f) * scraped * (1 - end));
+  return std::max(plan.pickup_frac * hold, std::min(hold, 1.0f) * scraped * takes);
 }
 
 /// Contact levelling (A22): the factor on the deposit at a height, in [0,2]; less on bumps and more
-/// in hollows. A blade fills up to its edge: the factor falls to 0 over the last 0.15 mm, except at
-/// the ends of the blade.
-inline float stamp_level_factor(const StampPlan& plan, float end, float height_m) {
+/// in hollows. A blade fills up to its edge: the factor falls over the last 0.15 mm to the veil
+/// that a blade smears over what stands higher; not where its ends are `open` (BladeEnds).
+inline float stamp_level_factor(const StampPlan& plan, float open, float height_m) {
   const float above = height_m - static_cast<float>(plan.mean_height_m);
   const float level = std::clamp(1 - plan.level_per_m * above, 0.0f, 2.0f);
   if (!(plan.scrape_frac > 0)) return level;
   constexpr float kRoom_m = 1.5e-4f;
-  const float room = std::clamp((plan.scrape_height_m - height_m) / kRoom_m, 0.0f, 1.0f);
-  return room + end * (level - room);
+  constexpr float kVeil = 0.04f;  // colour below still breaks through, and no cell is left bare
+  const float room = std::clamp((plan.scrape_height_m - height_m) / kRoom_m, kVeil, 1.0f);
+  return room + open * (level - room);
 }
 
 /// Dry brush: 1 where the bristles reach down to `height_m`, 0 where they pass over it, smooth
@@ -98,8 +99,8 @@ inline float stamp_caught(const StampPlan& plan, float height_m) {
 
 /// The tip's value where the canvas is `height_m` high, times both factors above, without
 /// `share_scale`.
-inline float stamp_levelled(const StampPlan& plan, float value, float end, float height_m) {
-  return value * stamp_level_factor(plan, end, height_m) * stamp_caught(plan, height_m);
+inline float stamp_levelled(const StampPlan& plan, float value, float open, float height_m) {
+  return value * stamp_level_factor(plan, open, height_m) * stamp_caught(plan, height_m);
 }
 
 /// What a cell gets of the paint that the reservoir holds over it.

@@ -13,7 +13,6 @@ constexpr float kRefillDiameters = 0.1f;  // R22: distance that the refill share
 // A rag that only lies on the paint soaks up as if it had gone this part of its way; pressed, all.
 constexpr double kRagUnpressed = 0.3, kRagPerPressure = 0.7;
 constexpr float kMostMixed = 0.5f;        // A24 is stable so far; two layers are alike then
-constexpr float kScraped = 0.97f;         // of what stands above the edge, once the blade is past
 constexpr float kBladeThickness = 0.14f;  // of the diameter: how long a blade is over a place
 }  // namespace
 

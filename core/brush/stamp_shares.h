@@ -9,6 +9,9 @@
 
 namespace pentimento {
 
+/// Of what stands above a blade's edge, the share that is gone once the blade is past.
+inline constexpr float kScraped = 0.97f;  // chosen by what strokes look like
+
 /// 1 - (1 - frac)^lengths: turns a share per length into the share over `lengths` lengths. `frac`
 /// is clamped to 0..1.
 float share_over(float frac, double lengths);

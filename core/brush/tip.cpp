@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/brush/resample.h"
+#include "core/brush/stamp_shares.h"
 
 namespace pentimento {
 
@@ -13,6 +14,7 @@ constexpr int kPresses = 5;       // drawings from the lightest touch to all bri
 constexpr int kDrynesses = 8;
 constexpr float kWetFrac = 0.8f;                       // from here on all bristles give alike
 constexpr float kEndsFrom = 0.65f, kEndsPerValue = 5;  // a tip's ends: values of 0.65 to 0.85
+constexpr float kReachPerValue = 4;  // the side of a tip is where its value passes an eighth
 
 /// FNV-1a of the name.
 std::uint64_t seed_of(const std::string& name) {
@@ -41,6 +43,26 @@ struct TexelPlace {
 TipMap::TipMap(const Field<float>& map)
     : size_(map.width()), padded_(map.width() + 2, map.width() + 2) {
   for (int y = 0; y < size_; ++y) std::copy_n(map.row(y), size_, padded_.row(y + 1) + 1);
+}
+
+BristleTable BristleTable::averaged(float width) const {
+  // The integral of the linear pieces up to each step; beyond the table its ends go on.
+  std::array<double, kSteps + 1> up_to{};
+  const auto value = [&](std::size_t step) { return static_cast<double>(value_[step]); };
+  for (std::size_t i = 0; i < kSteps; ++i)
+    up_to[i + 1] = up_to[i] + 0.5 * (value(i) + value(i + 1));
+  const auto integral = [&](double x) {
+    const double inside = std::clamp(x, 0.0, static_cast<double>(kSteps));
+    const std::size_t i = std::min(static_cast<std::size_t>(inside), std::size_t{kSteps - 1});
+    const double t = inside - static_cast<double>(i);
+    const double beyond = (x - inside) * value(x < 0 ? 0 : kSteps);
+    return up_to[i] + t * (value(i) + 0.5 * t * (value(i + 1) - value(i))) + beyond;
+  };
+  BristleTable mean;
+  const double half = 0.5 * static_cast<double>(width) * kSteps;
+  for (int i = 0; i <= kSteps; ++i)
+    mean[i] = static_cast<float>((integral(i + half) - integral(i - half)) / (2 * half));
+  return mean;
 }
 
 Tip::Tip(const BrushDefinition& brush) {
@@ -111,7 +133,10 @@ void Tip::fill_ends(const Field<float>& widest) {
     const std::size_t low = static_cast<std::size_t>(at);
     const float value = most[low] + (at - static_cast<float>(low)) * (most[low + 1] - most[low]);
     ends_[i] = std::clamp((value - kEndsFrom) * kEndsPerValue, 0.0f, 1.0f);
+    kept_[i] = 1 - share_over(kScraped, 1 - static_cast<double>(ends_[i]));
+    reach_[i] = std::min(1.0f, value * kReachPerValue);
   }
+  reach_[0] = reach_[BristleTable::kSteps] = 0;  // beyond the tip there is nothing
 }
 
 void Tip::list_texels(const Field<float>& map) {

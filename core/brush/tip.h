@@ -61,6 +61,9 @@ class BristleTable {
     const std::size_t i = static_cast<std::size_t>(x);
     return value_[i] + (x - static_cast<float>(i)) * (value_[i + 1] - value_[i]);
   }
+  /// The mean of at() over [v - width / 2, v + width / 2] at each step, exact. `width` > 0, in
+  /// diameters.
+  BristleTable averaged(float width) const;
 
  private:
   std::array<float, kSteps + 1> value_{};
@@ -129,6 +132,12 @@ class Tip {
   /// value stays below 0.65, 1 where it reaches 0.85. It depends on v alone, so it does not change
   /// along the stroke.
   const BristleTable& end_table() const { return ends_; }
+  /// Share of what stands above a blade's edge that is left once the blade is past: 1 under its
+  /// ends, 1 - kScraped elsewhere.
+  const BristleTable& kept_table() const { return kept_; }
+  /// Whether the tip reaches the canvas at v somewhere along its length: 0 where its value is 0
+  /// there, 1 where it reaches a quarter.
+  const BristleTable& reach_table() const { return reach_; }
   /// The reservoir's texels that the tip covers, and the texels next to those.
   const std::vector<TipTexel>& texels() const { return texels_; }
   /// The same texels.
@@ -150,7 +159,7 @@ class Tip {
   TipExtent extent_;
   std::vector<TipTexel> texels_;
   CoveredTexels covered_;
-  BristleTable grip_, ends_;
+  BristleTable grip_, ends_, kept_, reach_;
   std::vector<BristleTable> supply_;  // evenly from dry to kWetFrac; empty: no bristles
 };
 

@@ -75,6 +75,11 @@ float cell_size_m(const CanvasGeometry& grid) {
   return std::sqrt(grid.dx_m() * grid.dy_m());
 }
 
+float cell_width(const TipPose& pose, const CanvasGeometry& grid) {
+  const float along = pose.v_x * grid.dx_m(), down = pose.v_y * grid.dy_m();
+  return std::sqrt(along * along + down * down);
+}
+
 FootprintBox box_of(const TipPose& pose, const TipExtent& extent, const CanvasGeometry& geometry) {
   const double cell_x = geometry.width_m / geometry.width;
   const double cell_y = geometry.height_m / geometry.height;

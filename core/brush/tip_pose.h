@@ -30,6 +30,10 @@ TipPose pose_on(const CanvasGeometry& grid, const Stamp& stamp, const BrushDefin
 /// A cell's size, as tips are asked for: the root of its area.
 float cell_size_m(const CanvasGeometry& grid);
 
+/// Width, in diameters, of the box in which v varies as it does over a cell: the mean of a function
+/// of v over a cell is about its mean over that box.
+float cell_width(const TipPose& pose, const CanvasGeometry& grid);
+
 /// The cells [x, x + width) x [y, y + height) that the tip may touch, within the grid.
 struct FootprintBox {
   int x = 0, y = 0, width = 0, height = 0;

@@ -94,6 +94,8 @@ void Transfer::apply(const Stamp& stamp, const BrushInHand& hand, const Model& m
   set_rates(stamp, hand, model, reservoir, plan);
   prepare(plan.box);
   footprint_.draw_cells(plan, cell_size_m(state_.geometry));
+  passed_ = passed_shares(plan, state_.geometry);
+  if (plan.scrape_frac > 0) ends_ = blade_ends(hand.tip, plan.pose, state_.geometry);
 
   // What lies under the tip; from that, how far down the bristles reach.
   for_parts(plan, plan.box.height, kRowsPerTask, &Transfer::measure_rows);
@@ -225,6 +227,7 @@ bool Transfer::find_share_scale(StampPlan& plan) const {
 void Transfer::prepare(const FootprintBox& box) {
   const std::size_t rows = static_cast<std::size_t>(box.height);
   grow(value_, static_cast<std::size_t>(box.width) * rows);
+  grow(passed_m_, static_cast<std::size_t>(box.width) * rows);
   grow(row_, rows);
   grow(span_, rows);
   grow(touched_, rows);
@@ -303,7 +306,18 @@ void Transfer::measure_rows(const StampPlan& plan, int begin, int end) {
     span_[row] = span;
     row_[row] = sums;
     touched_[row] = touched.end > touched.begin ? touched : TouchedCells{};
+    find_passed(plan, y);
   }
+}
+
+/// Finds how high the surface is where the tip passes, before anything is picked up beside it.
+void Transfer::find_passed(const StampPlan& plan, int y) {
+  const auto row = static_cast<std::size_t>(y);
+  const TouchedCells& touched = touched_[row];
+  float* height = passed_m_.data() + static_cast<std::ptrdiff_t>(y) * plan.box.width;
+  for (int x = touched.begin; x < touched.end; ++x)
+    height[x] =
+        passed_height_m(state_, plan.box.x + x, plan.box.y + y, passed_.at(tip_row_[row].v(x)));
 }
 
 float* Transfer::paint_at(const StampPlan& plan, std::size_t cell) {
@@ -325,17 +339,19 @@ void Transfer::weigh_row(const StampPlan& plan, int y) {
   const float* base = state_.base_m.row(plan.box.y + y) + plan.box.x;
   const float* depth = state_.depth_m.row(plan.box.y + y) + plan.box.x;
   const bool scrapes = plan.scrape_frac > 0;
+  const float* passed_m = passed_m_.data() + static_cast<std::ptrdiff_t>(y) * plan.box.width;
   double share = 0;
   std::size_t at = touched.at;
   for (int x = touched.begin; x < touched.end; ++x, ++at) {
     const float v = tip.v(x), height = base[x] + depth[x];
     hold_[at] = stamp_hold(plan, grip, value[x], v);
-    const float at_end = scrapes ? plan.tip->end_table().at(v) : 0.0f;
-    const float levelled = value[x] * stamp_level_factor(plan, at_end, height);
+    const float open = scrapes ? ends_.open.at(v) : 0.0f;
+    const float levelled = value[x] * stamp_level_factor(plan, open, passed_m[x]);
     share += static_cast<double>(levelled);
     share_[at] = levelled * stamp_caught(plan, height);
     if (scrapes)
-      pick_up_weight_[at] = stamp_pick_up_weight(plan, hold_[at], at_end, {depth[x], height});
+      pick_up_weight_[at] =
+          stamp_pick_up_weight(plan, hold_[at], ends_.takes.at(v), {depth[x], height});
   }
   row_[row].share = share;
 }

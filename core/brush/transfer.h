@@ -10,8 +10,10 @@
 #include <vector>
 
 #include "core/base/threads.h"
+#include "core/brush/blade_ends.h"
 #include "core/brush/brush_settings.h"
 #include "core/brush/collect_paint.h"
+#include "core/brush/edge_cells.h"
 #include "core/brush/reservoir.h"
 #include "core/brush/stamp.h"
 #include "core/brush/stamp_cells.h"
@@ -68,6 +70,7 @@ class Transfer {
   void for_bands(const StampPlan& plan, Pass pass);
   // Over rows of the box:
   void measure_rows(const StampPlan& plan, int begin, int end);
+  void find_passed(const StampPlan& plan, int y);
   void touch_rows(const StampPlan& plan, int begin, int end);
   // Over bands of its rows:
   void pick_up_bands(const StampPlan& plan, int begin, int end);
@@ -99,7 +102,10 @@ class Transfer {
 
   // Scratch of one stamp. Of the cells of its box:
   TipFootprint footprint_;
-  std::vector<float> value_;  // of the tip; only in the spans of rows
+  BristleTable passed_;          // passed_shares()
+  BladeEnds ends_;               // of a blade
+  std::vector<float> value_;     // of the tip; only in the spans of rows
+  std::vector<float> passed_m_;  // passed_height_m() of touched cells
   // Of its rows:
   std::vector<RowSums> row_;
   std::vector<TipFootprint::CellSpan> span_;  // beyond it the tip is nothing

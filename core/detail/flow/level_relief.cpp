@@ -93,11 +93,14 @@ Field<int> way_to_bare(const Field<float>& depth_m, int far) {
 }
 
 /// Share of a film `deep` cells deep that stands `way` thirds of a cell from a bare one. The film
-/// rises at conservative::kContactSlope, or at least to its full depth on the way `far`.
+/// rises at conservative::kContactSlope in the mean, or to its full depth on the way `far`: a
+/// quarter of an ellipse.
 float edge_share(float deep, int way, int far) {
   const float needed = 3 * deep / conservative::kContactSlope;
   const float rise = std::min(needed, static_cast<float>(far));
-  return rise > static_cast<float>(way) ? static_cast<float>(way) / rise : 1.0f;
+  if (!(rise > static_cast<float>(way))) return 1;
+  const float t = static_cast<float>(way) / rise;
+  return std::sqrt(t * (2 - t));
 }
 
 /// What one tile's released blocks are multiplied by.
@@ -148,7 +151,7 @@ void find_factors(const DetailCanvas& canvas, const CanvasState& guide, float te
   for (int pass = 0; pass < kPasses; ++pass)
     level_bands({kYieldStress_Pa / tension_N_m, cell_m}, k, film, relief);
   // Films end at an angle on bare canvas.
-  const int far = 3 * k;
+  const int far = 3 * k / 2;
   const Field<int> way = way_to_bare(window.depth_m, far);
   const int left = (job.box.x0 - box.x0) * k, top = (job.box.y0 - box.y0) * k;
   job.factor = Field<float>(job.box.width() * k, job.box.height() * k);

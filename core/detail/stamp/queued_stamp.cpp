@@ -49,7 +49,7 @@ void QueuedStamp::before_deposit(const StampPlan& plan, const CanvasState& guide
   plan_.reservoir = nullptr;
   plan_.tip = nullptr;
   grip_ = plan.tip->grip_table();
-  ends_ = plan.tip->end_table();
+  if (plan.scrape_frac > 0) ends_ = blade_ends(*plan.tip, plan.pose, fine);
   deposits_ = false;
   cells_ = cells_of(plan, fine, k);
   blocks_ = {cells_.x / k, (cells_.x + cells_.width + k - 1) / k, cells_.y / k,

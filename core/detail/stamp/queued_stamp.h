@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/brush/blade_ends.h"
 #include "core/brush/stamp_plan.h"
 #include "core/brush/tip_footprint.h"
 #include "core/detail/store/block_layers.h"
@@ -33,7 +34,7 @@ class QueuedStamp {
   const StampPlan& plan() const { return plan_; }
   const TipFootprint& tip() const { return tip_; }
   const BristleTable& grip() const { return grip_; }
-  const BristleTable& ends() const { return ends_; }
+  const BladeEnds& ends() const { return ends_; }
   /// False: the stamp only picks up.
   bool deposits() const { return deposits_; }
   /// The fine cells of the tip, and of all blocks that the guide's stamp may touch.
@@ -52,7 +53,8 @@ class QueuedStamp {
   StampPlan plan_;
   PaintLoad load_;
   Reservoir reservoir_;
-  BristleTable grip_, ends_;
+  BristleTable grip_;
+  BladeEnds ends_;  // of a blade
   TipFootprint tip_;
   FootprintBox cells_;
   CellBox blocks_;

@@ -30,7 +30,7 @@ void measure_row(const StampPlan& given, const BristleTable& grip, const TipRow&
 
 /// For a blade, after measure_row(): corrects the values under its ends.
 PENTIMENTO_KERNEL
-void measure_blade(const StampPlan& given, const BristleTable& ends, const TipRow& tip, int n,
+void measure_blade(const StampPlan& given, const BladeEnds& ends, const TipRow& tip, int n,
                    const float* value, const float* base, const float* depth,
                    const MeasuredRow& out) {
   const StampPlan plan = given;
@@ -40,9 +40,9 @@ void measure_blade(const StampPlan& given, const BristleTable& ends, const TipRo
   float* __restrict share = out.share;
   PENTIMENTO_INDEPENDENT
   for (int i = 0; i < n; ++i) {
-    const float end = ends.at(v0 + dv * static_cast<float>(i)), height = base[i] + depth[i];
-    share[i] = plan.share_scale * stamp_levelled(plan, value[i], end, height);
-    pick_up_weight[i] = stamp_pick_up_weight(plan, hold[i], end, {depth[i], height});
+    const float v = v0 + dv * static_cast<float>(i), height = base[i] + depth[i];
+    share[i] = plan.share_scale * stamp_levelled(plan, value[i], ends.open.at(v), height);
+    pick_up_weight[i] = stamp_pick_up_weight(plan, hold[i], ends.takes.at(v), {depth[i], height});
   }
 }
 

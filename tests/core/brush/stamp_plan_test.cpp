@@ -141,6 +141,17 @@ TEST(StampPlan, HairsSinkIntoThickWetPaint) {
               wet.catch_per_m * (static_cast<float>(wet.mean_height_m) - 6e-4f), 0.05f);
 }
 
+TEST(StampPlan, ABladeSmearsAVeilOverWhatStandsHigher) {
+  StampPlan plan;
+  plan.scrape_frac = 0.5f;
+  plan.scrape_height_m = 1e-3f;
+  plan.mean_height_m = 1e-3;
+  EXPECT_EQ(stamp_level_factor(plan, 0, 5e-3f), 0.04f);
+  EXPECT_NEAR(stamp_level_factor(plan, 0, 1e-3f - 0.75e-4f), 0.5f, 1e-4f);
+  EXPECT_EQ(stamp_level_factor(plan, 0, 0.8e-3f), 1);  // room to the edge and more
+  EXPECT_EQ(stamp_level_factor(plan, 1, 5e-3f), 1);    // its ends are open
+}
+
 TEST(StampListener, IsToldOfEachStampAlsoAfterClearing) {
   SecondCanvas second(1);
   Hand hand(second);

@@ -63,6 +63,22 @@ TEST(Tip, ABladeEndsAtItsEnds) {
   }
 }
 
+TEST(BristleTable, ItsMeanIsThatOfManyPlaces) {
+  BristleTable table;
+  for (int i = 0; i <= BristleTable::kSteps; ++i) table[i] = static_cast<float>(i * i % 17);
+  for (const float width : {0.001f, 0.03f, 0.4f, 1.5f}) {
+    const BristleTable mean = table.averaged(width);
+    for (const int step : {0, 3, 64, 127, 128}) {
+      const float v = BristleTable::at_step(step);
+      double sum = 0;
+      for (int i = 0; i < 100000; ++i)
+        sum += static_cast<double>(
+            table.at(v + width * ((static_cast<float>(i) + 0.5f) / 100000 - 0.5f)));
+      EXPECT_NEAR(static_cast<double>(mean.at(v)), sum / 100000, 2e-3) << width << ", " << step;
+    }
+  }
+}
+
 TEST(Tip, TheNameChoosesTheHairs) {
   BrushDefinition a = *builtin_brush("bristle");
   BrushDefinition b = *builtin_brush("bristle");
