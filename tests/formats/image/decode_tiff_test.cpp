@@ -208,6 +208,58 @@ TEST_F(DecodeTiff, ACutFileIsOneLine) {
   }
 }
 
+std::uint32_t number_at(const std::string& bytes, std::size_t at, int size) {
+  std::uint32_t number = 0;
+  for (int i = 0; i < size; ++i)
+    number |= std::uint32_t{static_cast<std::uint8_t>(bytes[at + static_cast<std::size_t>(i)])}
+              << (8 * i);
+  return number;
+}
+
+/// A little-endian TIFF with a second copy of its strips or tiles, which lies behind all else and
+/// is the one that its directory names.
+std::string with_pixels_last(std::string bytes) {
+  constexpr std::uint32_t kStripOffsets = 273, kTileOffsets = 324;
+  const std::size_t directory = number_at(bytes, 4, 4);
+  const auto moved = static_cast<std::uint32_t>(bytes.size()) - 8;  // they begin behind the header
+  for (std::uint32_t i = 0; i < number_at(bytes, directory, 2); ++i) {
+    const std::size_t entry = directory + 2 + 12 * std::size_t{i};
+    const std::uint32_t tag = number_at(bytes, entry, 2);
+    if (tag != kStripOffsets && tag != kTileOffsets) continue;
+    const int size = number_at(bytes, entry + 2, 2) == 3 ? 2 : 4;  // SHORT or LONG
+    const std::uint32_t count = number_at(bytes, entry + 4, 4);
+    const std::size_t first =
+        count * static_cast<std::uint32_t>(size) <= 4 ? entry + 8 : number_at(bytes, entry + 8, 4);
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::size_t at = first + k * static_cast<std::size_t>(size);
+      const std::uint32_t offset = number_at(bytes, at, size) + moved;
+      for (int b = 0; b < size; ++b)
+        bytes[at + static_cast<std::size_t>(b)] = static_cast<char>(offset >> (8 * b));
+    }
+  }
+  return bytes + bytes.substr(8, directory - 8);
+}
+
+TEST_F(DecodeTiff, PixelsThatAreCutAreOneLine) {
+  for (const int compression :
+       {COMPRESSION_NONE, COMPRESSION_LZW, COMPRESSION_ADOBE_DEFLATE, COMPRESSION_PACKBITS})
+    for (const int tile : {0, 16}) {
+      TiffShape shape;
+      shape.compression = compression;
+      shape.tile = tile;
+      read(shape);
+      const std::string plain = test::slurp(path_), sound = with_pixels_last(plain);
+      test::spill(path_, sound);
+      ASSERT_TRUE(read_image(path_)) << compression << " " << tile;
+      // The last byte of a packed strip may be no more than its end.
+      for (std::size_t n = plain.size(); n + 2 < sound.size(); n += 7) {
+        test::spill(path_, sound.substr(0, n));
+        EXPECT_EQ(test::quiet_problem(path_).code, ErrorCode::kBadInput)
+            << compression << " " << tile << " " << n;
+      }
+    }
+}
+
 // libtiff does not look at the checksums of zlib, so damage shows where it cannot be unpacked.
 TEST_F(DecodeTiff, AStripThatCannotBeUnpackedIsOneLine) {
   for (const int compression : {COMPRESSION_LZW, COMPRESSION_ADOBE_DEFLATE})
