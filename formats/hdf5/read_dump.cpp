@@ -15,6 +15,7 @@
 #include "formats/hdf5/objects.h"
 #include "formats/hdf5/read_small.h"
 #include "formats/hdf5/sleep.h"
+#include "formats/io/utf8.h"
 #include "formats/log/tables/model_fields.h"
 #include "formats/log/tables/ranges.h"
 
@@ -69,7 +70,11 @@ class StateReader {
   Result<void> check_fine(const StateDump& dump) const;
 
  private:
-  Error bad(const std::string& what) const { return {ErrorCode::kBadInput, path_ + ": " + what}; }
+  /// `what` may quote the dump.
+  Error bad(const std::string& what) const {
+    constexpr std::size_t kMostBytes = 300;
+    return {ErrorCode::kBadInput, path_ + ": " + brief_line(valid_utf8(what), kMostBytes)};
+  }
   Error missing(const std::string& what) const { return bad(what + " is missing or malformed"); }
   /// Of a dataset that was not got: why.
   Error no_dataset(const std::string& name) const;

@@ -137,6 +137,21 @@ TEST_F(DumpValues, ALampIsSomewhere) {
             "/lighting: lamps of a wrong shape, or a value out of range");
 }
 
+TEST_F(DumpValues, WhatADumpSaysIsQuotedInOneLineAndCutShort) {
+  const auto twice = [](const std::string& name) {
+    return [name](hid_t f) {
+      const Handle dataset(H5Dopen2(f, "/palette/name", H5P_DEFAULT), H5Dclose);
+      const Handle type(H5Dget_type(dataset.id()), H5Tclose);
+      const char* names[] = {name.c_str(), "b", name.c_str()};
+      H5Dwrite(dataset.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, names);
+    };
+  };
+  EXPECT_EQ(after(twice("two\nlines\x1b[31m")), "/palette/name has \"two lines [31m\" twice");
+  const std::string said = after(twice(std::string(5000, 'x')));
+  EXPECT_LT(said.size(), 320);
+  EXPECT_TRUE(said.starts_with("/palette/name has \"xxx")) << said;
+}
+
 TEST_F(DumpValues, TwoPigmentsOfOneNameAreRefused) {
   for (const char* name : {"/palette/name", "/layers/channel"}) {
     EXPECT_EQ(after([&](hid_t f) {
