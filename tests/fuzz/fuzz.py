@@ -26,6 +26,7 @@ LIMITS = ["-rss_limit_mb=1024", "-malloc_limit_mb=512", "-print_final_stats=1"]
 # An input that takes longer than this hangs, seconds.
 LONGEST_S = {"replay": 60}  # the first use of each brush draws its tip, which takes seconds
 LONGEST_OF_OTHERS_S = 10
+INTERRUPTED = 72  # libFuzzer's exit code when somebody ends it by SIGINT or SIGTERM
 # Read by a library that does not withstand every file, and therefore by users' runs in a child first.
 BY_CHILD = ("dump", "dump-edits")
 MORE = {
@@ -116,6 +117,8 @@ def run(fuzzer, target, corpus, finds, options):
         if done.returncode == 0:
             if options.runs:
                 break
+        elif done.returncode == INTERRUPTED:
+            break
         elif ended_by_editing(done.stderr):
             tally.editing += 1
         elif held_by_child(fuzzer, target, done):
