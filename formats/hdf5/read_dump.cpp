@@ -72,7 +72,7 @@ class StateReader {
  private:
   /// `what` may quote the dump.
   Error bad(const std::string& what) const {
-    constexpr std::size_t kMostBytes = 300;
+    constexpr std::size_t kMostBytes = 300;  // a line that can still be read
     return {ErrorCode::kBadInput, path_ + ": " + brief_line(valid_utf8(what), kMostBytes)};
   }
   Error missing(const std::string& what) const { return bad(what + " is missing or malformed"); }

@@ -17,8 +17,7 @@ namespace pentimento {
 /// S: a smooth surface that holds in each of the guide's cells what the guide's surface does; l:
 /// level_bands(); e = sqrt(t (2 - t)) up to t = 1, t: the way to the nearest bare cell as a share
 /// of the way on which paint rises to its depth at 56 degrees, half a cell of the guide at most, so
-/// that paint ends round and not in a wall, and no block gives up more than its neighbours can
-/// tell; b:
+/// that paint ends round and not in a wall, and gives up little, which the lock heaps up behind; b:
 /// base; q: every pigment. Bare cells stay bare. The yield stress is 100 Pa: paint from the tube,
 /// whose brush marks stand; a furrow of a millimetre keeps 0.08 mm, one of a tenth a hundredth of
 /// that. Scheme: pointwise, in one pass from the state before; levelling takes a hundredth of a
