@@ -44,7 +44,7 @@ class PackageTest(unittest.TestCase):
         for name, fields in self.fields.items():
             self.assertTrue((self.root / name / "usr/share/doc" / name / "copyright").exists(), name)
             self.assertNotIn("Depends: \n", fields)
-        self.assertRegex(self.fields["pentimento"], r"Depends: .*libhdf5-103.*\n")
+        self.assertRegex(self.fields["pentimento"], r"Depends: .*libtiff6.*\n")
         self.assertRegex(self.fields["pentimento"], r"Recommends: libosmesa6")
         self.assertRegex(self.fields["python3-pentimento"], r"Depends: .*python3-numpy")
         self.assertIn("libeigen3-dev", self.fields["libpentimento-dev"])
