@@ -47,7 +47,7 @@ Lamp lamp_of(const double* row) {
 
 bool read_number(hid_t lighting, const char* name, const log::Range& range, float& member) {
   const std::optional<double> value = number_attribute(lighting, name);
-  if (!value) return true;
+  if (!value) return !has_attribute(lighting, name);
   member = static_cast<float>(*value);
   return *value >= range.min && *value <= range.max;
 }
@@ -119,7 +119,7 @@ bool read_development(hid_t lighting, Lighting& light) {
   if (!read_number(lighting, "white_x", kChromaticityRange, light.white_xy[0])) return false;
   if (!read_number(lighting, "white_y", kChromaticityRange, light.white_xy[1])) return false;
   const std::optional<std::string> name = text_attribute(lighting, "tone_curve");
-  if (!name) return true;
+  if (!name) return !has_attribute(lighting, "tone_curve");
   const std::optional<ToneCurve> curve = tone_curve_of(*name);
   light.tone = curve.value_or(ToneCurve::kNone);
   return curve.has_value();

@@ -171,7 +171,9 @@ Result<void> StateReader::read_root(StateDump& dump) const {
   dump.steps_per_second = *rate;
   dump.state_sha256 = *hash;
   dump.guide_sha256 = dump.detail > 1 ? *guide : *hash;
-  dump.log_sha256 = hdf5::text_attribute(root_.id(), "log_sha256").value_or("");
+  const auto log_hash = hdf5::text_attribute(root_.id(), "log_sha256");
+  if (!log_hash && hdf5::has_attribute(root_.id(), "log_sha256")) return missing("log_sha256");
+  dump.log_sha256 = log_hash.value_or("");
   return {};
 }
 
@@ -185,6 +187,7 @@ Result<void> StateReader::read_model(Model& model) const {
       if (choice == field.choices.end()) return bad(fmt::format("{} is \"{}\"", name, *text));
       value = static_cast<double>(choice - field.choices.begin());
     }
+    if (!value && hdf5::has_attribute(root_.id(), name)) return missing(name);
     if (!value) continue;
     const std::string problem = log::value_problem(field, *value);
     if (!problem.empty()) return bad(problem);
@@ -284,7 +287,7 @@ Result<void> StateReader::read_lighting(Lighting& light) const {
   if (!hdf5::read_lamps(file_, light.lamps))
     return bad("/lighting: lamps of a wrong shape, or a value out of range");
   if (!hdf5::read_development(group.id(), light))
-    return bad("/lighting: an attribute out of range");
+    return bad("/lighting: an attribute malformed or out of range");
   const auto sh = numbers("/lighting/sh", {9, 3}, kLightRange);
   if (!sh) return sh.error();
   for (std::size_t i = 0; i < sh->size(); ++i)
@@ -362,7 +365,9 @@ Result<void> StateReader::check_fine(const StateDump& dump) const {
 Result<StateDump> StateReader::read() {
   if (const Result<void> fine = check_format(); !fine) return fine.error();
   StateDump dump;
-  const std::int64_t detail = hdf5::whole_attribute(root_.id(), "detail").value_or(1);
+  const auto said = hdf5::whole_attribute(root_.id(), "detail");
+  if (!said && hdf5::has_attribute(root_.id(), "detail")) return missing("detail");
+  const std::int64_t detail = said.value_or(1);
   if (detail < 1 || detail > kMostDetail)
     return bad(fmt::format("detail is {}, must be 1 to {}", detail, kMostDetail));
   dump.detail = static_cast<int>(detail);

@@ -71,6 +71,10 @@ std::optional<std::vector<T>> read_values(hid_t file, const std::string& name,
 
 }  // namespace
 
+bool has_attribute(hid_t object, const std::string& name) {
+  return H5Aexists(object, name.c_str()) != 0;
+}
+
 std::optional<std::string> text_attribute(hid_t object, const std::string& name) {
   const Handle attribute = open_attribute(object, name);
   if (!attribute.ok() || !is_scalar(attribute.id())) return std::nullopt;

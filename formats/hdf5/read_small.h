@@ -14,6 +14,8 @@
 
 namespace pentimento::hdf5 {
 
+/// Whether there is such an attribute, be it readable or not: it is no missing one then.
+bool has_attribute(hid_t object, const std::string& name);
 /// Text that is no UTF-8 is mended.
 std::optional<std::string> text_attribute(hid_t object, const std::string& name);
 std::optional<double> number_attribute(hid_t object, const std::string& name);

@@ -124,6 +124,33 @@ TEST_F(BadDump, AParameterThatJoinedLaterHasItsDefault) {
   EXPECT_EQ(read_state(path_)->model.nu_max_m2_s, Model{}.nu_max_m2_s);
 }
 
+/// Puts three numbers in place of an attribute.
+void spoil(hid_t file, const char* group, const char* name) {
+  const Handle object(H5Gopen2(file, group, H5P_DEFAULT), H5Gclose);
+  if (H5Aexists(object.id(), name) > 0) H5Adelete(object.id(), name);
+  const hsize_t three = 3;
+  const Handle space(H5Screate_simple(1, &three, nullptr), H5Sclose);
+  const Handle attribute(
+      H5Acreate2(object.id(), name, H5T_NATIVE_DOUBLE, space.id(), H5P_DEFAULT, H5P_DEFAULT),
+      H5Aclose);
+  const double values[3] = {1, 1, 1};
+  H5Awrite(attribute.id(), H5T_NATIVE_DOUBLE, values);
+}
+
+TEST_F(BadDump, AnOptionalAttributeThatIsNoPlainValueIsNoMissingOne) {
+  for (const char* name : {"nu_max", "scheme", "detail", "log_sha256"}) {
+    EXPECT_EQ(after([&](hid_t f) { spoil(f, "/", name); }),
+              name + std::string(" is missing or malformed"));
+    mend();
+  }
+  for (const char* name : {"varnish", "occlusion", "white_x", "tone_curve"}) {
+    EXPECT_EQ(after([&](hid_t f) { spoil(f, "/lighting", name); }),
+              "/lighting: an attribute malformed or out of range")
+        << name;
+    mend();
+  }
+}
+
 TEST_F(BadDump, EveryTruncationIsAnError) {
   const std::string whole = test::slurp(path_);
   const std::string cut = scratch_.path("cut.h5");
