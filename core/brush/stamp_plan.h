@@ -38,11 +38,12 @@ struct StampPlan {
   float film_rate = 0;    // share of the reservoir's volume deposited where the tip's value is 1
   float return_frac = 0;  // share of the surplus that goes back where the tip touches fully
   float level_per_m = 0;  // contact levelling: the deposit falls by this per metre above the mean
-  double mean_height_m = 0;
-  float catch_per_m = 0;   // dry brush: how sharply the deposit ends below the heights it reaches,
-  float catch_offset = 1;  // and where that is at the mean height; 0 per metre: it reaches all
-  float pickup_frac = 0;   // share that bristles pick up; as in `pick_up`, unless it scrapes
-  float scrape_frac = 0;   // a blade takes this share of the wet paint above ...
+  double mean_height_m = 0;  // of the surface under the tip
+  float mean_base_m = 0;     // ... and of the ground below the wet paint
+  float catch_per_m = 0;     // dry brush: how sharply the deposit ends below the ground it reaches,
+  float catch_offset = 1;    // and what it is on ground of mean height; 0 per metre: it reaches all
+  float pickup_frac = 0;     // share that bristles pick up; as in `pick_up`, unless it scrapes
+  float scrape_frac = 0;     // a blade takes this share of the wet paint above ...
   float scrape_height_m = 0;  // ... this height
   float share_scale = 1;      // keeps the total, which levelling only redistributes
   float push_m = 0;
@@ -88,19 +89,19 @@ inline float stamp_level_factor(const StampPlan& plan, float open, float height_
   return room + open * (level - room);
 }
 
-/// Dry brush: 1 where the bristles reach down to `height_m`, 0 where they pass over it, smooth
-/// between.
-inline float stamp_caught(const StampPlan& plan, float height_m) {
+/// Dry brush: 1 where the bristles reach down to ground of height `base_m`, 0 where they pass over
+/// it, smooth between. Wet paint on it does not count: it carries no bristles (ADR 27).
+inline float stamp_caught(const StampPlan& plan, float base_m) {
   if (plan.catch_per_m == 0) return 1;
-  const float above = height_m - static_cast<float>(plan.mean_height_m);
+  const float above = base_m - plan.mean_base_m;
   const float t = std::clamp(plan.catch_offset + plan.catch_per_m * above, 0.0f, 1.0f);
   return t * t * (3 - 2 * t);
 }
 
-/// The tip's value where the canvas is `height_m` high, times both factors above, without
-/// `share_scale`.
-inline float stamp_levelled(const StampPlan& plan, float value, float open, float height_m) {
-  return value * stamp_level_factor(plan, open, height_m) * stamp_caught(plan, height_m);
+/// The tip's value in a cell, times both factors above, without `share_scale`.
+inline float stamp_levelled(const StampPlan& plan, float value, float open, float base_m,
+                            float depth_m) {
+  return value * stamp_level_factor(plan, open, base_m + depth_m) * stamp_caught(plan, base_m);
 }
 
 /// What a cell gets of the paint that the reservoir holds over it.

@@ -26,12 +26,12 @@ constexpr float kMostSqueezed = 1.5f;       // of a blade's film, where there is
 constexpr float kContactUnpressed = 0.3f, kContactPerPressure = 1.7f;
 constexpr float kSoftestContact = 1.25f;   // times that; soft bristle gives way into hollows...
 constexpr float kStiffnessContact = 0.5f;  // ...and so much less of it the stiffest
-// How deep they reach below the mean height, in standard deviations of the heights under the tip:
-// everywhere at a contact of 0.8; at 0.24 they touch the higher half.
+// How deep they reach below the ground's mean height, in standard deviations of its heights under
+// the tip: everywhere at a contact of 0.8; at 0.24 they touch the higher half.
 constexpr float kReachPerContact = 5, kReachUnpressed = -1.2f;
 constexpr float kReachesAll = 2.8f;
-constexpr float kCarries_m = 6e-4f;      // wet paint less deep than that holds bristles up
-constexpr float kLeastRelief_m = 2e-5f;  // a smooth ground catches a dry brush evenly
+constexpr float kDrowned = 3;  // deviations of the ground: a film so deep is even all over
+constexpr float kLeastRelief_m = 2e-5f;  // deviation of a ground that has hollows
 
 constexpr int kRowsPerTask = 8, kBandsPerTask = 4;
 constexpr int kCellsWorthThreads = 3000;  // some 0.2 ms of work; handing out rows costs 10 us
@@ -58,13 +58,14 @@ float stiffness_of(const BrushInHand& hand) {
   return hand.brush.stiffness < 0 ? hand.settings.stiffness : hand.brush.stiffness;
 }
 
-/// How deep the bristles reach below the mean height, in deviations of the heights under the tip.
+/// How deep the bristles reach below the ground's mean height, in deviations of its heights.
 float reach_of(const StampPlan& plan, float pressure, float stiffness) {
   const float contact =
       plan.state.density_frac * std::min(1.0f, kContactUnpressed + kContactPerPressure * pressure) *
       (kSoftestContact - kStiffnessContact * stiffness) / speed_factor(plan.stamp);
   return kReachPerContact * contact + kReachUnpressed;
 }
+
 /// Share of its film that a tip deposits where it stands still. What half a diameter of way would
 /// take, a narrow tip would heap up in a print of a tenth of one.
 float dabbed(const Stamp& stamp, const TipExtent& extent) {
@@ -177,31 +178,35 @@ void Transfer::set_rates(const Stamp& stamp, const BrushInHand& hand, const Mode
 /// Fills in the plan the mean of the heights under the tip, and which of them the brush reaches:
 /// where a blade's edge is, or how deep the bristles of a dry or light brush come.
 void Transfer::find_heights(const BrushInHand& hand, StampPlan& plan) const {
-  double value = 0, height = 0, square = 0, base = 0;
+  double value = 0, height = 0, base = 0, square = 0;
   for (int y = 0; y < plan.box.height; ++y) {
     const RowSums& sums = row_[static_cast<std::size_t>(y)];
     value += sums.value;
     height += sums.value_height;
-    square += sums.value_height2;
     base += sums.value_base;
+    square += sums.value_base2;
   }
   if (!(value > 0)) return;
   plan.mean_height_m = height / value;
+  const double mean_base_m = base / value;
+  plan.mean_base_m = static_cast<float>(mean_base_m);
   const float pressure = pressure_of(plan.stamp);
   if (plan.scrape_frac > 0) {
-    plan.scrape_height_m = static_cast<float>(base / value) + kBladeRide_m +
-                           (1 - pressure) * kBladeClearance_m + hand.load.paint[0] / kFilmsHeld;
+    plan.scrape_height_m = plan.mean_base_m + kBladeRide_m + (1 - pressure) * kBladeClearance_m +
+                           hand.load.paint[0] / kFilmsHeld;
     return;
   }
   const float reach = reach_of(plan, pressure, stiffness_of(hand));
   if (reach >= kReachesAll) return;
-  const double variance = square / value - plan.mean_height_m * plan.mean_height_m;
-  const float deviation = static_cast<float>(std::sqrt(std::max(0.0, variance)));
-  plan.catch_per_m = 1 / std::max(deviation, kLeastRelief_m);
-  // Thick wet paint does not carry the bristles: they sink into it. Else a hole in it, once there,
-  // would never be painted over.
-  const float wet_m = static_cast<float>((height - base) / value);
-  plan.catch_offset = reach + plan.catch_per_m * std::max(0.0f, wet_m - kCarries_m);
+  const double variance = square / value - mean_base_m * mean_base_m;
+  const float deviation_m = static_cast<float>(std::sqrt(std::max(0.0, variance)));
+  plan.catch_per_m = 1 / std::max(deviation_m, kLeastRelief_m);
+  // Even ground has no hollows that bristles could pass over: ground smoother than the least
+  // relief, or drowned in wet paint, which carries no bristles (ADR 27). A thin film drowns little.
+  const float smooth = 1 - deviation_m / kLeastRelief_m;
+  const float film = static_cast<float>((height - base) / value) * plan.catch_per_m / kDrowned;
+  const float even = std::clamp(std::max(smooth, film * film), 0.0f, 1.0f);
+  plan.catch_offset = reach + (kReachesAll - reach) * even;
 }
 
 /// Finds the factor that keeps levelling from changing the stamp's total. If the whole tip is on
@@ -247,6 +252,7 @@ void Transfer::find_places(const StampPlan& plan) {
   grow(share_, cells);
   grow(hold_, cells);
   grow(pick_up_weight_, cells);
+  grow(old_frac_, cells);
   grow(paint_, cells * static_cast<std::size_t>(plan.stride));
   grow(band_paint_, cells_.bands().size() * parts_);
 }
@@ -294,8 +300,9 @@ void Transfer::measure_rows(const StampPlan& plan, int begin, int end) {
       sums.value += value;
       const double height = static_cast<double>(base[x] + depth[x]);
       sums.value_height += value * height;
-      sums.value_height2 += value * height * height;
-      sums.value_base += value * static_cast<double>(base[x]);
+      const double ground = static_cast<double>(base[x]);
+      sums.value_base += value * ground;
+      sums.value_base2 += value * ground * ground;
       if (stroke[x] != plan.stroke_id) {
         sums.ahead += value;
         if (depth[x] < plan.dry_m) sums.ahead_dry += value;
@@ -348,7 +355,7 @@ void Transfer::weigh_row(const StampPlan& plan, int y) {
     const float open = scrapes ? ends_.open.at(v) : 0.0f;
     const float levelled = value[x] * stamp_level_factor(plan, open, passed_m[x]);
     share += static_cast<double>(levelled);
-    share_[at] = levelled * stamp_caught(plan, height);
+    share_[at] = levelled * stamp_caught(plan, base[x]);
     if (scrapes)
       pick_up_weight_[at] =
           stamp_pick_up_weight(plan, hold_[at], ends_.takes.at(v), {depth[x], height});
@@ -415,8 +422,12 @@ void Transfer::deposit_bands(const StampPlan& plan, int begin, int end) {
     const StampBand& band = cells_.bands()[static_cast<std::size_t>(i)];
     for (int y = band.begin; y < band.end; ++y) sample_row(plan, y);
     const BandPaint canvas = cells_.paint(i);
+    float* old = old_frac_.data() + band.at;
+    std::copy(canvas.depth_m.begin(), canvas.depth_m.end(), old);
     deposit_row(plan.deposit, canvas.layers, canvas.depth_m, canvas.stroke, paint_at(plan, band.at),
                 plan.stride, sums_of(i));
+    for (std::size_t k = 0; k < band.cells; ++k)
+      old[k] = canvas.depth_m[k] > 0 ? std::min(1.0f, old[k] / canvas.depth_m[k]) : 0.0f;
     cells_.find_held(i);
     mix_layers_row(plan.mix, canvas.layers, {hold_.data() + band.at, band.cells});
     cells_.put_back(i);
@@ -460,6 +471,19 @@ void Transfer::add_to(PaintFlow& flow) {
   for (std::size_t c = 0; c + 1 < parts_; ++c) flow.channel[c] += paint_sum_[1 + c] * area;
 }
 
+/// The push of a cell is the mean over its paint. What this stamp laid has not been pushed by those
+/// before it.
+void Transfer::dilute_push(const StampPlan& plan, int y) {
+  const TouchedCells& touched = touched_[static_cast<std::size_t>(y)];
+  const float* old_frac = old_frac_.data() + touched.at;
+  float* push_x = contact_.push_x_m.row(plan.box.y + y) + plan.box.x + touched.begin;
+  float* push_y = contact_.push_y_m.row(plan.box.y + y) + plan.box.x + touched.begin;
+  for (std::size_t k = 0; k < touched.count(); ++k) {
+    push_x[k] *= old_frac[k];
+    push_y[k] *= old_frac[k];
+  }
+}
+
 /// Footprint, velocity (R17) and push, also where the tip's hairs leave cells out.
 void Transfer::touch_rows(const StampPlan& plan, int begin, int end) {
   const Stamp& stamp = plan.stamp;
@@ -477,6 +501,7 @@ void Transfer::touch_rows(const StampPlan& plan, int begin, int end) {
       velocity_x[x] = stamp.velocity_m_s.x;
       velocity_y[x] = stamp.velocity_m_s.y;
     }
+    dilute_push(plan, y);
     const TipRow tip = tip_row_[row];
     float* __restrict push_x = contact_.push_x_m.row(canvas_y) + first;
     float* __restrict push_y = contact_.push_y_m.row(canvas_y) + first;

@@ -54,14 +54,14 @@ class Transfer {
 
  private:
   struct RowSums {
-    double value = 0;          // of the tip
-    double value_height = 0;   // times h
-    double value_height2 = 0;  // times h^2
-    double value_base = 0;     // times b
-    double share = 0;          // after levelling
-    double ahead = 0;          // value where the stroke has not been yet
-    double ahead_dry = 0;      // ... and the canvas is dry
-    double returned = 0;       // volume of the surplus that was deposited
+    double value = 0;         // of the tip
+    double value_height = 0;  // times h
+    double value_base = 0;    // times b
+    double value_base2 = 0;   // times b^2
+    double share = 0;         // after levelling
+    double ahead = 0;         // value where the stroke has not been yet
+    double ahead_dry = 0;     // ... and the canvas is dry
+    double returned = 0;      // volume of the surplus that was deposited
   };
 
   using Pass = void (Transfer::*)(const StampPlan&, int begin, int end);
@@ -78,6 +78,7 @@ class Transfer {
   void deposit_bands(const StampPlan& plan, int begin, int end);
   void weigh_row(const StampPlan& plan, int y);
   void sample_row(const StampPlan& plan, int y);
+  void dilute_push(const StampPlan& plan, int y);
   void find_places(const StampPlan& plan);
   float* paint_at(const StampPlan& plan, std::size_t cell);
   std::span<double> sums_of(int band);
@@ -115,6 +116,7 @@ class Transfer {
   std::vector<float> share_;           // value of the tip after contact levelling
   std::vector<float> hold_;            // how hard the bristles hold, [0,2]
   std::vector<float> pick_up_weight_;  // of a blade: what pick_up_row() takes
+  std::vector<float> old_frac_;        // of the paint, the part that lay there before the deposit
   std::vector<float> paint_;           // picked up, then deposited: `stride` floats per cell
   // Of bands of rows:
   std::vector<double> band_paint_;  // `parts_` each

@@ -13,7 +13,9 @@ struct BrushContact {
   Field<float> weight;          // [0,1], the largest value of the step's footprints
   Field<float> velocity_x_m_s;  // of the brush, where weight > 0 (the last stamp's)
   Field<float> velocity_y_m_s;  // y down
-  Field<float> push_x_m;        // sum over stamps of alpha ds direction e(r): `conservative`
+  // `conservative`: the sum over stamps of alpha ds direction e(r), as the mean over a cell's
+  // paint: what a stamp lays has not been pushed by those before it.
+  Field<float> push_x_m;
   Field<float> push_y_m;
   int row_begin = 0, row_end = 0;        // touched; empty when equal
   int column_begin = 0, column_end = 0;  // of these rows

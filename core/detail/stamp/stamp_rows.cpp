@@ -24,7 +24,7 @@ void measure_row(const StampPlan& given, const BristleTable& grip, const TipRow&
   PENTIMENTO_INDEPENDENT
   for (int i = 0; i < n; ++i) {
     hold[i] = stamp_hold(plan, grip, value[i], v0 + dv * static_cast<float>(i));
-    share[i] = plan.share_scale * stamp_levelled(plan, value[i], 0.0f, base[i] + depth[i]);
+    share[i] = plan.share_scale * stamp_levelled(plan, value[i], 0.0f, base[i], depth[i]);
   }
 }
 
@@ -40,9 +40,11 @@ void measure_blade(const StampPlan& given, const BladeEnds& ends, const TipRow& 
   float* __restrict share = out.share;
   PENTIMENTO_INDEPENDENT
   for (int i = 0; i < n; ++i) {
-    const float v = v0 + dv * static_cast<float>(i), height = base[i] + depth[i];
-    share[i] = plan.share_scale * stamp_levelled(plan, value[i], ends.open.at(v), height);
-    pick_up_weight[i] = stamp_pick_up_weight(plan, hold[i], ends.takes.at(v), {depth[i], height});
+    const float v = v0 + dv * static_cast<float>(i);
+    share[i] =
+        plan.share_scale * stamp_levelled(plan, value[i], ends.open.at(v), base[i], depth[i]);
+    pick_up_weight[i] =
+        stamp_pick_up_weight(plan, hold[i], ends.takes.at(v), {depth[i], base[i] + depth[i]});
   }
 }
 

@@ -14,9 +14,13 @@
 namespace pentimento {
 namespace {
 
-SimulationSetup setup_of_one_pigment() {
+/// `deviation_m`: of the paper's heights, which are two, from cell to cell.
+SimulationSetup setup_of_one_pigment(float deviation_m = 0) {
   SimulationSetup setup;
   setup.geometry = {96, 72, 0.2, 0.15};
+  setup.paper_m = Field<float>(96, 72);
+  for (int y = 0; y < 72; ++y)
+    for (int x = 0; x < 96; ++x) setup.paper_m(x, y) = (x + y) % 2 == 0 ? 2 * deviation_m : 0;
   setup.basis = palette_channels({*find_library_pigment("Vermilion")});
   return setup;
 }
@@ -59,9 +63,9 @@ class SecondCanvas : public test::IdleListener {
       for (int i = 0; i < box.width; ++i) {
         const int x = box.x + i;
         const float value = values[static_cast<std::size_t>(i)];
-        const float height_m =
-            canvas.base_m(x / finer_, y / finer_) + canvas.depth_m(x / finer_, y / finer_);
-        const float share = stamp_levelled(plan, value, 0, height_m) * plan.share_scale;
+        const float base_m = canvas.base_m(x / finer_, y / finer_);
+        const float depth_m = canvas.depth_m(x / finer_, y / finer_);
+        const float share = stamp_levelled(plan, value, 0, base_m, depth_m) * plan.share_scale;
         if (!(share > 0)) continue;
         plan.reservoir->sample(tip.u(i), tip.v(i), paint.data());
         const float volume = plan.load->volume_of(paint.data());
@@ -87,8 +91,9 @@ class SecondCanvas : public test::IdleListener {
 
 struct Hand {
   Threads threads{1};
-  Simulation sim{setup_of_one_pigment(), threads};
-  explicit Hand(CanvasListener& listener) {
+  Simulation sim;
+  explicit Hand(CanvasListener& listener, float deviation_m = 0)
+      : sim(setup_of_one_pigment(deviation_m), threads) {
     sim.set_color(0);
     sim.set_listener(&listener);
     sim.begin_stroke(0, 1);
@@ -124,21 +129,43 @@ class Reach : public test::IdleListener {
 };
 
 TEST(StampPlan, HairsSinkIntoThickWetPaint) {
+  // Ground of two heights, 0.1 mm above and below their mean: that is its deviation.
+  constexpr float kDeviation_m = 1e-4f;
   Reach reach;
-  Hand hand(reach);
+  Hand hand(reach, kDeviation_m);
   Stamp light = stamp_at(0.1, 0.07), full = light;
   light.pressure = 0.1f;
   full.pressure = 1;
   hand.sim.stamp(0, light);
   while (hand.sim.state().depth_m(48, 34) < 0.003f && reach.plans.size() < 500)
-    hand.sim.stamp(0, full);
-  hand.sim.stamp(0, light);
-  const StampPlan &dry = reach.plans.front(), &wet = reach.plans.back();
-  ASSERT_GT(dry.catch_per_m, 0);
-  ASSERT_GT(wet.mean_height_m, 0.001);  // on a canvas without relief: the paint's depth
-  // One touch empties the brush by less than 1 %, which is 0.05 deviations.
-  EXPECT_NEAR(wet.catch_offset - dry.catch_offset,
-              wet.catch_per_m * (static_cast<float>(wet.mean_height_m) - 6e-4f), 0.05f);
+    for (const Stamp& stamp : {full, light}) hand.sim.stamp(0, stamp);
+  const float dry = reach.plans.front().catch_offset;
+  ASSERT_LT(dry, 2);
+  bool thin = false, thick = false;
+  for (const StampPlan& plan : reach.plans) {
+    if (plan.catch_per_m == 0) continue;  // pressed, the brush reaches all
+    const float film = (static_cast<float>(plan.mean_height_m) - plan.mean_base_m) / kDeviation_m;
+    thin |= film > 1 && film < 2;
+    thick |= film > 3;
+    // Over a film of three deviations it reaches 2.8 of them: all. The brush empties by 5 %
+    // meanwhile.
+    EXPECT_NEAR(plan.catch_offset, dry + (2.8f - dry) * std::min(1.0f, film * film / 9), 0.3f)
+        << film;
+  }
+  EXPECT_TRUE(thin && thick);
+}
+
+TEST(StampPlan, PaintThatLiesThereCatchesNoMore) {
+  StampPlan plan;
+  plan.catch_per_m = 1e4f;
+  plan.catch_offset = 0.5f;
+  plan.mean_base_m = 1e-4f;
+  plan.mean_height_m = 3e-4;
+  EXPECT_FLOAT_EQ(stamp_caught(plan, 1e-4f), 0.5f);  // on ground of mean height
+  EXPECT_EQ(stamp_caught(plan, 1.6e-4f), 1);
+  EXPECT_EQ(stamp_caught(plan, 0.4e-4f), 0);
+  // A hollow that is filled to above the peaks around is still a hollow.
+  EXPECT_EQ(stamp_levelled(plan, 1, 0, 0.4e-4f, 5e-4f), 0);
 }
 
 TEST(StampPlan, ABladeSmearsAVeilOverWhatStandsHigher) {
