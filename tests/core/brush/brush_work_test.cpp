@@ -145,7 +145,7 @@ TEST(DryBrush, AnEmptyingBrushPaintsOnSmoothGround) {
 
 TEST(DryBrush, ASecondPassLeavesTheHollows) {
   const Threads threads(1);
-  Simulation sim(canvas(1e-3f), threads);
+  Simulation sim(canvas(6e-4f), threads);
   sim.set_brush(*builtin_brush("bristle"));
   BrushSettings settings;
   settings.load_frac = 0.3f;
