@@ -31,14 +31,22 @@ constexpr bool kFindsOverflows = __has_feature(address_sanitizer);
 #else
 constexpr bool kFindsOverflows = false;
 #endif
+
+std::size_t plane_bytes(int width, int height) {
+  return rounded_up(static_cast<std::size_t>(width) * 4, kLine_bytes) *
+         static_cast<std::size_t>(height);
+}
 }  // namespace
 
+bool PlaneMemory::leaves_out(int width, int height) {
+  return plane_bytes(width, height) > kLargestPlane_bytes;
+}
+
 PlaneMemory::PlaneMemory(int planes, int width, int height) {
-  const std::size_t row = rounded_up(static_cast<std::size_t>(width) * 4, kLine_bytes);
-  const std::size_t plane = row * static_cast<std::size_t>(height);
+  const std::size_t plane = plane_bytes(width, height);
   const std::size_t bytes =
       rounded_up(static_cast<std::size_t>(planes) * room_of(plane), kLargePage_bytes);
-  if (kFindsOverflows || plane > kLargestPlane_bytes || bytes < kLeast_bytes) return;
+  if (kFindsOverflows || leaves_out(width, height) || bytes < kLeast_bytes) return;
   // Large pages begin at multiples of their size.
   const std::size_t mapped = bytes + kLargePage_bytes;
   void* const begin = mmap(nullptr, mapped, PROT_READ | PROT_WRITE,

@@ -17,6 +17,9 @@ class PlaneMemory {
   /// is too little for large pages, where a plane is so large that a large page would be little of
   /// it, or where the system has none.
   PlaneMemory(int planes, int width, int height);
+  /// Whether planes of this size are too large for it. They then take memory page by page, where
+  /// they are written to.
+  static bool leaves_out(int width, int height);
 
   /// Zeros for `bytes` bytes from a cache line on, or nullptr if no room is left. They stay as long
   /// as anybody keeps mapping().

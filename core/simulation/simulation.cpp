@@ -51,17 +51,19 @@ struct Simulation::Impl {
     fresh_canvas();
   }
 
-  /// Paper, no paint; the books start anew.
+  /// Paper, no paint; the books start anew. The relief goes on from the setup, or from the canvas
+  /// that was: there is one plane of it.
   void fresh_canvas() {
     const std::int64_t step = state.step;
+    Field<float> paper_m = std::move(state.paper_m.empty() ? setup.paper_m : state.paper_m);
     state = make_canvas_state(setup.geometry, model.layers, setup.basis.channels(),
-                              static_cast<int>(setup.paper_reflectance.size()), 1.0f);
+                              static_cast<int>(setup.paper_reflectance.size()), 0.0f);
     state.step = step;
     for (std::size_t band = 0; band < setup.paper_reflectance.size(); ++band)
       state.reflectance[band].fill(setup.paper_reflectance[band]);
-    if (!setup.paper_m.empty()) {
-      state.paper_m = setup.paper_m.clone();
-      state.base_m = setup.paper_m.clone();
+    if (!paper_m.empty()) {
+      state.base_m = paper_m.clone();
+      state.paper_m = std::move(paper_m);
     }
     account = empty_account(setup.basis.channels());
     adopt_state();
@@ -204,7 +206,7 @@ std::unique_ptr<Simulation> Simulation::fork(const Threads& threads) const {
                         from.model,
                         from.setup.basis,
                         from.setup.dt_s,
-                        from.setup.paper_m.clone(),
+                        from.state.paper_m.clone(),
                         from.setup.paper_reflectance,
                         from.setup.tips};
   auto twin = std::make_unique<Simulation>(std::move(setup), threads);

@@ -365,6 +365,19 @@ void Replay::conclude() {
   report_.peak_memory_bytes = peak_memory_bytes();
 }
 
+/// The survey of a session that fits in memory: of one that would fit if it were painted all over,
+/// and has no detail canvas, an empty one.
+Result<PaintSurvey> fitting_survey(const RenderJob& job, LogSession& session,
+                                   const Control& control) {
+  Result<PaintSurvey> survey = PaintSurvey{};
+  const bool fits_full = session.detail == 1 && check_memory(job, session, *survey);
+  if (session.detail > 1 || (!fits_full && memory_follows_paint(session)))
+    survey = survey_paint(session, DetailCost(), control);
+  if (!survey) return survey.error();
+  if (Result<void> fits = check_memory(job, session, *survey); !fits) return fits.error();
+  return survey;
+}
+
 }  // namespace
 
 Result<JobReport> render(const RenderJob& job, const Control& control) {
@@ -384,11 +397,8 @@ Result<JobReport> render(const RenderJob& job, const Control& control) {
   if (Result<void> even = check_even_sides(job.picture, session->size, session->canvas); !even)
     return even.error();
   // Refuses what would not fit in memory before anything is computed.
-  Result<PaintSurvey> survey = PaintSurvey{};
-  if (session->detail > 1)
-    survey = survey_paint(*session, DetailCost(), control);  // else nothing follows it
+  Result<PaintSurvey> survey = fitting_survey(job, *session, control);
   if (!survey) return survey.error();
-  if (Result<void> fits = check_memory(job, *session, *survey); !fits) return fits.error();
   const JobNeeds needs = job_needs(job, *session, *survey);
   if (Result<void> fits = check_disk(disk_uses(job, *session, needs)); !fits) return fits.error();
   // The frames of a film are stops of the replay.

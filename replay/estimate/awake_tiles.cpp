@@ -28,11 +28,16 @@ std::int64_t settling_steps(const BrushSettings& brush) {
 }
 
 AwakeTiles::AwakeTiles(const CanvasGeometry& grid)
-    : columns_(tiles_along(grid.width)),
-      tiles_(static_cast<std::size_t>(columns_ * tiles_along(grid.height))) {}
+    : width_(grid.width),
+      height_(grid.height),
+      columns_(tiles_along(grid.width)),
+      tiles_(static_cast<std::size_t>(columns_ * tiles_along(grid.height))),
+      ever_(tiles_.size(), 0) {}
 
 void AwakeTiles::touch(int x, int y, const PaintedCells& touch) {
-  Tile& tile = tiles_[static_cast<std::size_t>(y / kSide * columns_ + x / kSide)];
+  const auto at = static_cast<std::size_t>(y / kSide * columns_ + x / kSide);
+  Tile& tile = tiles_[at];
+  ever_[at] = 1;
   if (tile.touched < 0) ++wet_tiles_;
   if (tile.touched >= 0 && touch.step > tile.touched && tilted_since_ < 0)
     add(tile, std::min(tile.settling_steps, touch.step - tile.touched));
@@ -60,6 +65,24 @@ void AwakeTiles::tilt(double lateral_m_s2, std::int64_t step) {
 void AwakeTiles::clear() {
   std::fill(tiles_.begin(), tiles_.end(), Tile());
   wet_tiles_ = 0;
+}
+
+double AwakeTiles::reached_share(int width, int height) const {
+  const int across = (width_ + width - 1) / width, down = (height_ + height - 1) / height;
+  std::vector<std::uint8_t> reached(static_cast<std::size_t>(across * down), 0);
+  for (std::size_t tile = 0; tile < ever_.size(); ++tile) {
+    if (ever_[tile] == 0) continue;
+    // The tile and as much on each side of it.
+    const int x = static_cast<int>(tile) % columns_ * kSide - kSide;
+    const int y = static_cast<int>(tile) / columns_ * kSide - kSide;
+    const int right = std::min((x + 3 * kSide - 1) / width, across - 1);
+    const int bottom = std::min((y + 3 * kSide - 1) / height, down - 1);
+    for (int j = std::max(y, 0) / height; j <= bottom; ++j)
+      for (int i = std::max(x, 0) / width; i <= right; ++i)
+        reached[static_cast<std::size_t>(j * across + i)] = 1;
+  }
+  const auto count = std::count(reached.begin(), reached.end(), std::uint8_t{1});
+  return static_cast<double>(count) / static_cast<double>(reached.size());
 }
 
 void AwakeTiles::finish(std::int64_t step) {

@@ -44,6 +44,9 @@ class AwakeTiles {
 
   const MovingPaint& awake() const { return awake_; }              // after touches
   double tilted_cell_steps() const { return tilted_cell_steps_; }  // while the canvas is tilted
+  /// Share of the canvas, cut into sleep tiles of `width` x `height` cells, whose tiles have come
+  /// within 32 cells of paint that was ever touched.
+  double reached_share(int width, int height) const;
 
  private:
   struct Tile {
@@ -53,8 +56,10 @@ class AwakeTiles {
   };
   void add(const Tile& tile, std::int64_t steps);
 
+  int width_, height_;  // cells
   int columns_;
   std::vector<Tile> tiles_;
+  std::vector<std::uint8_t> ever_;  // touched, also if it dried since
   std::int64_t wet_tiles_ = 0;
   std::int64_t tilted_since_ = -1;  // step; -1: lies flat
   MovingPaint awake_;

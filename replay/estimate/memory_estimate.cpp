@@ -8,6 +8,7 @@
 #include <fstream>
 #include <limits>
 
+#include "core/base/plane_memory.h"
 #include "core/shading/light_lock.h"
 #include "replay/output/output_plan.h"
 #include "replay/output/output_set.h"
@@ -141,12 +142,23 @@ std::int64_t limit_of(const RenderJob& job) {
   return std::min(job.max_memory.value_or(machine_memory()), address_space());
 }
 
-std::int64_t guide_bytes(const LogSession& session) {
+/// Cells of the guide whose planes of wet paint are written to.
+std::int64_t painted_cells(const LogSession& session, double reached_share) {
   const std::int64_t cells = std::int64_t{session.grid.width} * session.grid.height;
+  if (!memory_follows_paint(session)) return cells;
+  return static_cast<std::int64_t>(static_cast<double>(cells) * reached_share);
+}
+
+std::int64_t guide_bytes(const LogSession& session, double reached_share) {
+  const std::int64_t cells = std::int64_t{session.grid.width} * session.grid.height;
+  const std::int64_t painted = painted_cells(session, reached_share);
+  // The bare canvas: the reflectance, the paper's relief and that of what dried on it.
+  const std::int64_t bare = cells * (session.basis.bands() + 2) * 4;
+  const std::int64_t wet = (state_bytes(session) - bare) / cells * painted;
   const std::int64_t fine = state_bytes(session) * session.detail * session.detail;
   const std::int64_t read = session.detail_start ? std::min(kDumpRead, fine) : 0;
   const std::int64_t checkpoint = session.detail > 1 ? cells * kFollowedCell : 0;
-  return kProgramme + state_bytes(session) + cells * kSchemePlanes * 4 + checkpoint + read;
+  return kProgramme + bare + wet + painted * kSchemePlanes * 4 + checkpoint + read;
 }
 
 std::int64_t budget_beside(std::int64_t others, const RenderJob& job) {
@@ -154,13 +166,20 @@ std::int64_t budget_beside(std::int64_t others, const RenderJob& job) {
 }
 }  // namespace
 
+bool memory_follows_paint(const LogSession& session) {
+  // A limit on addresses counts planes whole.
+  return session.model.scheme == SchemeKind::kConservative && session.detail == 1 &&
+         PlaneMemory::leaves_out(session.grid.width, session.grid.height) &&
+         address_space() == std::numeric_limits<std::int64_t>::max();
+}
+
 JobNeeds job_needs(const RenderJob& job, const LogSession& session, const PaintSurvey& survey) {
   JobNeeds needs;
   const auto plan = plan_outputs(job.picture.outputs, job.stops);
   // Nothing is written by a dry run without outputs, which still asks what painting takes.
   const Writing writing = plan ? writing_needs(job, session, plan->front()) : Writing{};
   const auto points = static_cast<std::int64_t>(std::max<std::size_t>(1, job.stops.size()));
-  const std::int64_t others = guide_bytes(session) + writing.memory;
+  const std::int64_t others = guide_bytes(session, survey.reached_share) + writing.memory;
   const std::int64_t detail =
       session.detail > 1 ? static_cast<std::int64_t>(survey.detail_bytes) : 0;
   needs.disk_bytes = points * writing.disk;
@@ -174,7 +193,7 @@ JobNeeds job_needs(const RenderJob& job, const LogSession& session, const PaintS
 std::int64_t resident_budget(const RenderJob& job, const LogSession& session) {
   const auto plan = plan_outputs(job.picture.outputs, job.stops);
   const std::int64_t writing = plan ? writing_needs(job, session, plan->front()).memory : 0;
-  return budget_beside(guide_bytes(session) + writing, job);
+  return budget_beside(guide_bytes(session, 1) + writing, job);
 }
 
 Result<void> check_memory(const RenderJob& job, const LogSession& session,

@@ -18,6 +18,10 @@ struct JobNeeds {
   std::int64_t picture_bytes = 0;  // the pictures' part of disk_bytes
 };
 
+/// Whether a large canvas takes memory only where there is paint, so that job_needs() depends on
+/// PaintSurvey::reached_share.
+bool memory_follows_paint(const LogSession& session);
+
 /// `survey` is of the session.
 JobNeeds job_needs(const RenderJob& job, const LogSession& session, const PaintSurvey& survey);
 

@@ -4,6 +4,8 @@
 #include <bit>
 #include <cmath>
 
+#include "core/fluid/conservative/tiles/sleep_tiles.h"
+
 namespace pentimento {
 
 PaintMap::PaintMap(const LogSession& session, const DetailCost& cost)
@@ -16,7 +18,9 @@ PaintMap::PaintMap(const LogSession& session, const DetailCost& cost)
       wet_(cells()),
       dried_(cells(), 0),
       awake_(session.grid),
-      step_s_(1 / session.reader->header().steps_per_second) {
+      step_s_(1 / session.reader->header().steps_per_second),
+      sleep_tile_m_(session.model.sleep_tile_m),
+      full_(session.start.has_value()) {
   if (session.start) begin(session.start->state);
 }
 
@@ -170,7 +174,14 @@ PaintSurvey PaintMap::finish(std::int64_t end_step) {
   survey_.awake = awake_.awake();
   survey_.tilted_cell_steps = awake_.tilted_cell_steps();
   survey_.all_tiles = layout_.tiles();
+  survey_.reached_share = reached_share();
   return survey_;
+}
+
+double PaintMap::reached_share() const {
+  if (full_ || awake_.tilted_cell_steps() > 0) return 1;
+  const conservative::SleepTiles tiles(grid_, sleep_tile_m_);
+  return awake_.reached_share(tiles.tile_width(), tiles.tile_height());
 }
 
 }  // namespace pentimento

@@ -62,6 +62,7 @@ class PaintMap {
   void account(std::int64_t step);
   void run_down();
   void measure();
+  double reached_share() const;
   std::int64_t tile_bytes(const CellBox& box) const;
   std::int64_t written_bytes(std::span<const std::uint32_t> rows, std::uint32_t mask) const;
 
@@ -74,6 +75,8 @@ class PaintMap {
   AwakeTiles awake_;
   TiltedTime tilted_;
   double step_s_;
+  float sleep_tile_m_;
+  bool full_;  // a dump fills the canvas
   PaintSurvey survey_;
 };
 

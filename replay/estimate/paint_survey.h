@@ -21,6 +21,9 @@ struct PaintSurvey {
   std::int64_t tiles = 0;        // of the detail canvas that ever have paint
   std::int64_t all_tiles = 0;
   double detail_bytes = 0;  // of the detail canvas, when it holds most
+  // Of the guide's sleep tiles, those that paint comes to, or near. 1: not known, or paint may run
+  // anywhere, or a dump has filled all planes.
+  double reached_share = 1;
 };
 
 /// Plays the session's log from its first event up to its last stop and rewinds it. Errors: the

@@ -118,13 +118,12 @@ void ConservativeScheme::make_tiles(float sleep_tile_m) {
 bool ConservativeScheme::step(CanvasState& state, const StepInput& in) {
   if (!tiles_) make_tiles(in.model.sleep_tile_m);
   steps_ += 1;
-  // A fresh canvas that nobody touches rests. One that is touched is computed everywhere: the cells
-  // of a far push are counted from where its row of awake cells begins, so it would round otherwise
-  // with fewer tiles awake, and states would change.
-  if (state.sleep.empty() && in.fresh && in.contact.empty()) tiles_->rest_fresh(state, in);
   // 1. Wake tiles: finds the tiles that this step computes. The workspace of a tile that is asleep
   // holds zeros; find_live() sees to the solver's planes.
   for (const int tile : tiles_->wake(state, in)) work_.clear(tiles_->box(tile));
+  // A fresh canvas rests, but for what the brush has just touched: planes take no memory where
+  // nobody writes to them.
+  if (state.sleep.empty() && in.fresh) tiles_->rest_fresh(state, in);
   if (tiles_->awake_tiles().empty()) return false;
   passed("wake");
 
@@ -136,9 +135,10 @@ bool ConservativeScheme::step(CanvasState& state, const StepInput& in) {
   for (int part = 0; part < parts; ++part) {
     const BrushContact& contact = part == 0 ? in.contact : untouched_;  // the push acts once
     const float dt_s = in.dt_s / static_cast<float>(parts);
-    part_of_step(state,
-                 {in.model, in.gravity_m_s2, dt_s, contact, in.amount, in.threads, in.listener},
-                 part);
+    part_of_step(
+        state,
+        {in.model, in.gravity_m_s2, dt_s, contact, in.amount, in.threads, in.listener, in.fresh},
+        part);
   }
   // 8. Tiles fall asleep: finds the tiles that came to rest.
   tiles_->fall_asleep(state, in, [&](const CellBox& b) { return feels_gravity(b); });

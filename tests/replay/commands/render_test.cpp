@@ -46,6 +46,32 @@ TEST(Render, ReportAndFilesNameTheLogTheStateAndTheGuideBelowAFinerCanvas) {
     EXPECT_EQ(output.sha256, sha256sum(output.file)) << output.file;
 }
 
+TEST(Render, OfALargeCanvasOnlyWhatIsPaintedMustFit) {
+  const std::string header =
+      R"({"type":"header","format":"pentimento-log","version":1,"canvas":{"width":0.5,"height":0.4},)"
+      R"("grid":{"width":2560,"height":2048},"palette":[{"name":"blue","color":"#1f2f8c"}]})"
+      "\n";
+  const std::string tilt = R"({"t":0,"type":"gravity","x":0,"y":9.81,"z":0})"
+                           "\n";
+  const std::string dab = R"({"t":0,"type":"slider","name":"size","value":0.004})"
+                          "\n"
+                          R"({"t":0,"type":"touch","phase":"down","x":0.1,"y":0.1})"
+                          "\n"
+                          R"({"t":0.05,"type":"touch","phase":"up","x":0.103,"y":0.1})"
+                          "\n";
+  const JobFolder folder(header + dab);
+  RenderJob job = folder.job({"a.png"});
+  job.size.width = 64;
+  job.max_memory = 500'000'000;  // painted all over it takes 900 MB
+  const JobReport report = rendered(job);
+  EXPECT_EQ(report.outputs.size(), 1u);
+  // Paint that may run is counted everywhere.
+  folder.write("a.jsonl", header + tilt + dab);
+  const auto refused = render(job, Control());
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::kLimit);
+}
+
 TEST(Render, AnIdleLogComputesAStepAfterEachEventOnly) {
   const JobFolder folder(small_header() + R"({"t":20,"type":"mark","name":"a"})"
                                           "\n"

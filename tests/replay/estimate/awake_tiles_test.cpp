@@ -60,6 +60,17 @@ TEST(AwakeTiles, DryPaintStays) {
   EXPECT_EQ(tiles.tilted_cell_steps(), 0);
 }
 
+TEST(AwakeTiles, PaintReachesTheSleepTilesWithin32CellsOfIt) {
+  AwakeTiles tiles(kGrid);
+  tiles.touch(5, 5, {1, 0, 9});
+  tiles.clear();                                              // what dried has been wet
+  EXPECT_EQ(tiles.reached_share(16, 16), 4.0 * 4 / (7 * 5));  // cells 0 to 63 each way
+  EXPECT_EQ(tiles.reached_share(64, 128), 1.0 / 2);
+  tiles.touch(99, 69, {1, 0, 9});  // the tile of x 96 and y 64 on
+  EXPECT_EQ(tiles.reached_share(16, 16), (4.0 * 4 + 3 * 3) / (7 * 5));
+  EXPECT_EQ(tiles.reached_share(64, 128), 1.0);
+}
+
 TEST(SettlingSteps, ThinPaintMovesLongerTheMoreOfItThereIs) {
   BrushSettings thick, thin, much;
   thick.pigment_frac = 0.8f;

@@ -116,6 +116,21 @@ TEST(MemoryEstimate, OfAProgrammeThatPaintsNothingIsItsCodeAndTheCanvas) {
   EXPECT_EQ(memory_without_outputs(4), 75 * kMB + canvas + kCells * 150);
 }
 
+TEST(MemoryEstimate, ALargeCanvasTakesMemoryWhereThereIsPaint) {
+  Estimated e;
+  e.survey.reached_share = 0.25;
+  EXPECT_EQ(e.memory(), memory_without_outputs());  // 400 x 300 cells: large pages are filled
+  constexpr std::int64_t kLarge = 2560 * 2048;
+  e.folder.write("a.jsonl", log_on(2560, 2048));
+  EXPECT_TRUE(memory_follows_paint(e.session()));
+  // Three bands of reflectance and two reliefs everywhere, eight planes and the scheme's in a
+  // quarter.
+  EXPECT_EQ(e.memory(), 75 * kMB + kLarge * 5 * 4 + kLarge / 4 * (8 + 24) * 4);
+  e.job.model = {{"scheme", "paper"}};
+  EXPECT_FALSE(memory_follows_paint(e.session()));
+  EXPECT_EQ(e.memory(), 75 * kMB + kLarge * (13 + 24) * 4);
+}
+
 TEST(MemoryEstimate, ADumpIsHeldTwiceAndOfAFinerCanvasOnlyTheGuideIs) {
   Estimated dump({"a.h5"});
   EXPECT_EQ(dump.memory(), memory_without_outputs() + 2 * kState);

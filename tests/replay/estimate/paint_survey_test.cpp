@@ -55,6 +55,16 @@ TEST(PaintSurvey, CountsTheTilesUnderAStroke) {
   EXPECT_GT(found.stamped_cells, static_cast<double>(found.stamps) * 300);
 }
 
+TEST(PaintSurvey, PaintReachesTheTilesNearItAndAllWhereItMayRun) {
+  // Sleep tiles of 16 x 16 cells, 25 x 19. The stroke lies in tiles of 32 cells 1 to 11 and 4 to 5.
+  const double reached = survey(stroke(0, 0.15)).reached_share;
+  EXPECT_EQ(reached, 25.0 * (2 * 4) / (25 * 19));
+  const std::string tilt = line(R"({"t":1,"type":"gravity","x":0,"y":9.81,"z":0})");
+  EXPECT_EQ(
+      survey(stroke(0, 0.15) + tilt + line(R"({"t":2,"type":"mark","name":"end"})")).reached_share,
+      1);
+}
+
 TEST(PaintSurvey, APigmentMoreTakesItsPlanesAndDryingGivesThemBack) {
   const double relief = 21 * 3 * 128 * 128 * 4, bare = 25 * 19 * 16;
   const double one = survey(stroke(0, 0.15)).detail_bytes - bare;

@@ -179,7 +179,8 @@ class PaintRow {
     if (far_.empty()) return;
     // Far cells passed nothing yet: each is spread over the cells that its image covers.
     const std::vector<FarCell> far = take_far_cells(far_, cells(edge_), options, rows);
-    put_far_cells(far, n_, options.rounder, [&](int i, int) -> float& { return amount[i]; });
+    const FarLine line{n_, in_.fresh ? r_.x0 : 0};
+    put_far_cells(far, line, options.rounder, [&](int i, int) -> float& { return amount[i]; });
   }
 
   // Tells the listener where the edges go: those of the depth (0), or of layer `quantity` - 1.

@@ -307,7 +307,8 @@ class PaintStream {
   void put_far() {
     const auto put = [&](const QuantityStream& quantity, float rounder, Field<float>& plane) {
       if (quantity.far().empty()) return;
-      put_far_cells(quantity.far(), b_.height(), rounder,
+      const FarLine line{b_.height(), in_.fresh ? b_.box.y0 : 0};
+      put_far_cells(quantity.far(), line, rounder,
                     [&](int r, int lane) -> float& { return row_of(plane, r)[lane]; });
     };
     put(depth_, depth_options_.rounder, state_.depth_m);

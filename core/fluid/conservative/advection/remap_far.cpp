@@ -13,11 +13,13 @@ struct CellImage {
   bool reversed = false;
 };
 
-CellImage image_of(const FarCell& cell, int length) {
-  const auto clamped = [&](float x) { return std::clamp(x, 0.0f, static_cast<float>(length)); };
+CellImage image_of(const FarCell& cell, const FarLine& line) {
+  const auto first = static_cast<float>(line.before);
+  const auto end = static_cast<float>(line.before + line.cells);
+  const int at = line.before + cell.at;
   CellImage image;
-  image.begin = clamped(static_cast<float>(cell.at) + cell.edge_lo);
-  image.end = clamped(static_cast<float>(cell.at + 1) + cell.edge_hi);
+  image.begin = std::clamp(static_cast<float>(at) + cell.edge_lo, first, end);
+  image.end = std::clamp(static_cast<float>(at + 1) + cell.edge_hi, first, end);
   image.reversed = image.end < image.begin;
   if (image.reversed) std::swap(image.begin, image.end);
   return image;
@@ -27,21 +29,22 @@ CellImage image_of(const FarCell& cell, int length) {
 // covers, then put_rest(last). The share below t of the profile m + s (t - 1/2) is
 // t + (s/m) (t^2 - t) / 2.
 template <typename Put, typename PutRest>
-void for_parts(const CellImage& image, int length, float relative_slope, const Put& put,
+void for_parts(const CellImage& image, const FarLine& line, float relative_slope, const Put& put,
                const PutRest& put_rest) {
   const float slope = image.reversed ? -relative_slope : relative_slope;
   const auto share_below = [&](float t) { return t + 0.5f * slope * (t * t - t); };
-  const int first = std::min(static_cast<int>(image.begin), length - 1);
-  const int last = std::min(static_cast<int>(image.end), length - 1);
+  const int end = line.before + line.cells;
+  const int first = std::min(static_cast<int>(image.begin), end - 1);
+  const int last = std::min(static_cast<int>(image.end), end - 1);
   const float extent = image.end - image.begin;
   float below = 0;
   for (int at = first; at < last; ++at) {
     const float t = std::min((static_cast<float>(at + 1) - image.begin) / extent, 1.0f);
     const float next = share_below(t);
-    put(at, next - below);
+    put(at - line.before, next - below);
     below = next;
   }
-  put_rest(last);
+  put_rest(last - line.before);
 }
 
 float far_slope(const RemapOptions& options, float below, float above) {
@@ -77,12 +80,12 @@ std::vector<FarCell> take_far_cells(const std::vector<int>& far, const float* ed
   return taken;
 }
 
-void put_far_cells(const std::vector<FarCell>& far, int length, float rounder,
+void put_far_cells(const std::vector<FarCell>& far, const FarLine& line, float rounder,
                    const FarTarget& value) {
   for (const FarCell& cell : far) {
     float left = cell.value;
     for_parts(
-        image_of(cell, length), length, cell.slope / cell.value,
+        image_of(cell, line), line, cell.slope / cell.value,
         [&](int at, float share) {
           const float part = std::clamp(rounded(share * cell.value, rounder), 0.0f, left);
           value(at, cell.lane) += part;
@@ -94,6 +97,7 @@ void put_far_cells(const std::vector<FarCell>& far, int length, float rounder,
 
 void put_far_momentum(const std::vector<FarCell>& far, const std::vector<float>& speed, int length,
                       const FarTarget& value, const FarTarget& momentum) {
+  const FarLine line{length};
   for (std::size_t k = 0; k < far.size(); ++k) {
     const FarCell& cell = far[k];
     float left = cell.value;
@@ -103,7 +107,7 @@ void put_far_momentum(const std::vector<FarCell>& far, const std::vector<float>&
       left -= part;
     };
     for_parts(
-        image_of(cell, length), length, cell.slope / cell.value,
+        image_of(cell, line), line, cell.slope / cell.value,
         [&](int at, float share) { put(at, std::clamp(share * cell.value, 0.0f, left)); },
         [&](int at) { put(at, left); });
   }

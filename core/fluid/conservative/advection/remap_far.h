@@ -17,6 +17,13 @@ struct FarCell {
   float slope = 0;                 // limited difference across the cell
 };
 
+/// The cells of a line, of which the first is cell `before` of a longer one. Far cells are counted
+/// along that, for a place in single precision is rounded by its size.
+struct FarLine {
+  int cells = 0;
+  int before = 0;
+};
+
 /// Gives the place where cell `at` of line `lane` is stored.
 using FarTarget = std::function<float&(int at, int lane)>;
 
@@ -30,17 +37,17 @@ std::vector<FarCell> take_far_cells(const std::vector<int>& far, const float* ed
                                     const RemapOptions& options, const ThreeRows& value);
 
 /// Adds each far cell where it lands.
-///   image [x_lo + D_lo, x_hi + D_hi], cut at the batch's ends; ends swapped if reversed; each
+///   image [x_lo + D_lo, x_hi + D_hi], cut at the line's ends; ends swapped if reversed; each
 ///   covered cell gets the part of the linear profile mapped onto it, the last one what is left
 /// Scheme: piecewise linear, 2nd order where smooth; monotone.
 /// Stable: any displacement.
 /// Source: Lauritzen et al. 2010 (remap_plan.h).
 /// Departs from it: moved parts are whole quanta; an image of no length falls into one cell.
-/// `length`: cells of a line.
-void put_far_cells(const std::vector<FarCell>& far, int length, float rounder,
+void put_far_cells(const std::vector<FarCell>& far, const FarLine& line, float rounder,
                    const FarTarget& value);
 
-/// The same for momentum: each part carries `speed[k]`, the velocity of far cell k.
+/// The same for momentum: each part carries `speed[k]`, the velocity of far cell k. `length`: cells
+/// of a line.
 void put_far_momentum(const std::vector<FarCell>& far, const std::vector<float>& speed, int length,
                       const FarTarget& value, const FarTarget& momentum);
 

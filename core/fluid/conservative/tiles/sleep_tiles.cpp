@@ -171,6 +171,7 @@ void SleepTiles::wake_by_gravity(const CanvasState& state, const StepInput& in) 
 void SleepTiles::rest_fresh(CanvasState& state, const StepInput& in) const {
   state.sleep.assign(awake_.size() * kSleepValues, 0);
   for (std::size_t tile = 0; tile < awake_.size(); ++tile) {
+    if (awake_[tile]) continue;
     float* rest = &state.sleep[tile * kSleepValues];
     rest[kAsleep] = 1;
     note_gravity(in.gravity_m_s2, rest);
@@ -182,7 +183,7 @@ std::vector<int> SleepTiles::wake(const CanvasState& state, const StepInput& in)
   std::fill(moving_.begin(), moving_.end(), std::uint8_t{0});
   const bool remembers = state.sleep.size() == awake_.size() * kSleepValues;
   for (std::size_t tile = 0; tile < awake_.size(); ++tile)
-    awake_[tile] = !remembers || state.sleep[tile * kSleepValues + kAsleep] == 0;
+    awake_[tile] = remembers ? state.sleep[tile * kSleepValues + kAsleep] == 0 : !in.fresh;
   if (remembers) wake_by_gravity(state, in);
 
   list_awake();

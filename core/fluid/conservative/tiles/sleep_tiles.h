@@ -12,7 +12,7 @@
 //    the tile fell asleep, unless all its paint is too thin or too stiff to feel gravity.
 //
 // What sleeps is kept in CanvasState::sleep. If it is emptied, everything wakes, but on a fresh
-// canvas that nobody touches: that sleeps.
+// canvas: that sleeps where the brush has not touched it.
 
 #include <cstdint>
 #include <functional>
@@ -55,12 +55,12 @@ class SleepTiles {
   /// The cells of the tiles whose flag is not 0, as runs.
   std::vector<Run> runs_of(const std::vector<std::uint8_t>& tiles) const;
 
-  /// Puts all tiles of a fresh canvas (StepInput::fresh) to sleep, as a step that computed them all
-  /// would do where no paint is wet.
-  void rest_fresh(CanvasState& state, const StepInput& in) const;
   /// Decides which tiles are awake in this step. Returns the tiles that were awake before and are
   /// not now.
   std::vector<int> wake(const CanvasState& state, const StepInput& in);
+  /// Writes into the sleep of a fresh canvas (StepInput::fresh) what a step that computed all tiles
+  /// would write for those that wake() has left asleep.
+  void rest_fresh(CanvasState& state, const StepInput& in) const;
   /// Call it after the step: writes into `state.sleep` which tiles fall asleep.
   /// `feels_gravity(box)` says whether any paint in a tile's box feels gravity.
   void fall_asleep(CanvasState& state, const StepInput& in,

@@ -19,10 +19,11 @@ struct Basin {
         amount(static_cast<std::size_t>(channels), 1.0f) {}
 
   bool step() {
-    const StepInput in{model, gravity_m_s2, dt_s, contact, amount, pool};
+    const StepInput in{model, gravity_m_s2, dt_s, contact, amount, pool, nullptr, fresh};
     const bool changed = scheme.step(state, in);
     ++state.step;
     clear(contact);
+    fresh = false;
     return changed;
   }
   void steps(int count) {
@@ -47,6 +48,7 @@ struct Basin {
   std::vector<float> amount;
   Vec3f gravity_m_s2{0, 0, 9.81f};
   float dt_s = 1.0f / 45;
+  bool fresh = false;  // StepInput::fresh, of the next step
 };
 
 /// Sum of a plane, exact to double rounding.

@@ -99,6 +99,42 @@ TEST(Sleep, AStampWakesOnlyWhatItTouches) {
   EXPECT_FALSE(b.step());
 }
 
+/// A bare canvas of 16 x 12 tiles with a dab in tile 12 of row 9, pushed by three cells and a part.
+Basin dab_far_from_the_corner() {
+  Basin b({512, 384, 0.5, 0.375});
+  for (int y = 300; y < 312; ++y)
+    for (int x = 395; x < 407; ++x) {
+      b.state.depth_m(x, y) = 0.0011f + 1e-5f * static_cast<float>(x % 5 + y % 3);
+      b.state.channel(0, 0)(x, y) = 0.3f * b.state.depth_m(x, y);
+      b.contact.weight(x, y) = 1;
+      b.contact.push_x_m(x, y) = 0.0033f + 1e-5f * static_cast<float>(y % 7);
+      b.contact.push_y_m(x, y) = -0.0037f + 1e-5f * static_cast<float>(x % 7);
+    }
+  b.contact.touch(395, 407, 300, 312);
+  return b;
+}
+
+TEST(Sleep, AFreshCanvasIsComputedOnlyWhereTheBrushTouchedIt) {
+  Basin b = dab_far_from_the_corner();
+  b.fresh = true;
+  EXPECT_TRUE(b.step());
+  EXPECT_LE(b.statistic("awake_share_max"), 4.0 / (16 * 12));
+}
+
+TEST(Sleep, AFreshCanvasComesToTheSameBitsAsOneComputedEverywhere) {
+  Basin all = dab_far_from_the_corner();
+  Basin touched = dab_far_from_the_corner();
+  touched.fresh = true;
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(all.step(), touched.step());
+    EXPECT_TRUE(same_bits(all.state.depth_m, touched.state.depth_m)) << i;
+    EXPECT_TRUE(same_bits(all.state.channel(0, 0), touched.state.channel(0, 0))) << i;
+    EXPECT_TRUE(same_bits(all.state.velocity_x_m_s, touched.state.velocity_x_m_s)) << i;
+    EXPECT_TRUE(same_bits(all.state.velocity_y_m_s, touched.state.velocity_y_m_s)) << i;
+    EXPECT_EQ(all.state.sleep, touched.state.sleep) << i;
+  }
+}
+
 /// A bare canvas of cells of 1 mm by 2 mm, asleep, in 8 x 8 tiles of 16 x 8 cells.
 class WakeTest : public ::testing::Test {
  protected:

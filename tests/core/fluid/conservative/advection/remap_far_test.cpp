@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 
 #include "core/fluid/conservative/tiles/quantum.h"
@@ -12,7 +13,7 @@ namespace {
 // Where one far cell lands in a line of eight cells.
 std::array<float, 8> landed(const FarCell& cell) {
   std::array<float, 8> line{};
-  put_far_cells({cell}, 8, rounder_for(0x1p-24f),
+  put_far_cells({cell}, {8}, rounder_for(0x1p-24f),
                 [&](int at, int) -> float& { return line[static_cast<std::size_t>(at)]; });
   return line;
 }
@@ -34,6 +35,20 @@ TEST(RemapFar, WhatOvertakesItselfComesOutTheOtherWayRound) {
   EXPECT_NEAR(line[2], 4.0f / 9, rounding);
   EXPECT_NEAR(line[3], 3.0f / 9, rounding);
   EXPECT_NEAR(line[4], 2.0f / 9, rounding);
+}
+
+TEST(RemapFar, ALineInsideOfALongerOneGetsTheSameParts) {
+  const FarCell cell{1, 0, 2.3f, 3.9f, 0.7f, 0.1f};
+  const FarCell in_the_longer{1001, 0, 2.3f, 3.9f, 0.7f, 0.1f};
+  std::array<float, 1008> longer{};
+  std::array<float, 8> line{};
+  const float rounder = rounder_for(0x1p-24f);
+  put_far_cells({in_the_longer}, {1008}, rounder,
+                [&](int at, int) -> float& { return longer[static_cast<std::size_t>(at)]; });
+  put_far_cells({cell}, {8, 1000}, rounder,
+                [&](int at, int) -> float& { return line[static_cast<std::size_t>(at)]; });
+  EXPECT_TRUE(std::equal(line.begin(), line.end(), longer.begin() + 1000));
+  EXPECT_NE(line, landed(cell));  // which counts from its own beginning, and rounds less
 }
 
 TEST(RemapFar, NothingLeavesTheLine) {
