@@ -467,18 +467,34 @@ void ConservativeScheme::fill_height(const CanvasState& state, const StepInput& 
   pressure(work_.y, 1, state.geometry.dy_m(), solver.cy());
 }
 
-void ConservativeScheme::finish(CanvasState& state, const StepInput& in, const Run& r) {
-  // 7c. The solved height drives the velocity; then the cap and the threshold act (R14).
-  const FinishLimits limits{in.model.velocity_threshold_m_s, cap_of(in.model)};
+void ConservativeScheme::finish(const StepInput& in, const Run& r) {
+  // 7c. The solved height drives the velocity; then the cap acts.
   const WorkPlane& height = work_.solver.solution();
-  const auto one = [&](const NodePlanes& n, int down, float per_d, Field<float>& out) {
-    finish_row(limits,
+  const auto one = [&](NodePlanes& n, int down, float cell_m) {
+    finish_row(cap_of(in.model),
                {n.depth_m.row(r.y) + r.x0, n.pressure_m_s.row(r.y) + r.x0, height.row(r.y) + r.x0,
-                height.row(r.y + down) + r.x0 + 1 - down, n.velocity_m_s.row(r.y) + r.x0},
-               per_d, r.size(), out.row(r.y) + r.x0);
+                height.row(r.y + down) + r.x0 + 1 - down},
+               1 / cell_m, r.size(), n.velocity_m_s.row(r.y) + r.x0);
   };
-  one(work_.x, 0, 1 / state.geometry.dx_m(), state.velocity_x_m_s);
-  one(work_.y, 1, 1 / state.geometry.dy_m(), state.velocity_y_m_s);
+  one(work_.x, 0, geometry_.dx_m());
+  one(work_.y, 1, geometry_.dy_m());
+}
+
+// 7d. Slow paint stands (R14): by the length of its velocity, so that paint that runs down levels
+// to the sides however slowly.
+void ConservativeScheme::stand(CanvasState& state, const StepInput& in, const Run& r) const {
+  const WorkPlane& u = work_.x.velocity_m_s;
+  const WorkPlane& v = work_.y.velocity_m_s;
+  const float threshold = in.model.velocity_threshold_m_s;
+  // The nodes around a right face lie above and below it, those around a lower face beside it.
+  const auto around = [](const WorkPlane& other, int x, int y) {
+    return NodesAround{other.row(y) + x, other.row(y) + x + 1, other.row(y + 1) + x,
+                       other.row(y + 1) + x + 1};
+  };
+  stand_row(threshold, u.row(r.y) + r.x0, around(v, r.x0, r.y - 1), r.size(),
+            state.velocity_x_m_s.row(r.y) + r.x0);
+  stand_row(threshold, v.row(r.y) + r.x0, around(u, r.x0 - 1, r.y), r.size(),
+            state.velocity_y_m_s.row(r.y) + r.x0);
 }
 
 // 6. and 7. The solver calls the parts of both on each row while that row is in the cache.
@@ -499,7 +515,8 @@ void ConservativeScheme::solve_height(CanvasState& state, const StepInput& in) {
                                [&](const Run& r) { find_crowding(state, in, r); },
                                [&](const Run& r) { apply_tension(state, in, r); },
                                [&](const Run& r) { fill_height(state, in, r); }},
-                      .finish = [&](const Run& r) { finish(state, in, r); }});
+                      .finish = [&](const Run& r) { finish(in, r); }});
+  for_runs(in.threads, live_.runs(), [&](const Run& r) { stand(state, in, r); });
 }
 
 bool ConservativeScheme::feels_gravity(const CellBox& b) const {

@@ -61,7 +61,8 @@ class ConservativeScheme : public FluidScheme {
   void find_crowding(const CanvasState& state, const StepInput& in, const Run& r);
   void apply_tension(const CanvasState& state, const StepInput& in, const Run& r);
   void fill_height(const CanvasState& state, const StepInput& in, const Run& r);
-  void finish(CanvasState& state, const StepInput& in, const Run& r);
+  void finish(const StepInput& in, const Run& r);
+  void stand(CanvasState& state, const StepInput& in, const Run& r) const;
   bool gives_way(const CellBox& box) const;
   bool feels_gravity(const CellBox& box) const;
   void account(const CanvasState& state, const StepInput& in);

@@ -56,22 +56,34 @@ void pressure_row(const PressureRow& f, float dt_gravity_m_s, float dt_s, float 
 }
 
 PENTIMENTO_KERNEL
-void finish_row(const FinishLimits& limits, const FinishRow& f, float per_dx, int n,
+void finish_row(float cap_m_s, const FinishRow& f, float per_dx, int n,
                 float* __restrict velocity_m_s) {
   const float* __restrict depth_m = f.depth_m;
   const float* __restrict pressure_m_s = f.pressure_m_s;
   const float* __restrict height_a = f.height_a;
   const float* __restrict height_b = f.height_b;
-  const float* __restrict before_m_s = f.velocity_m_s;
-  const float cap = limits.cap_m_s;
-  const float threshold = limits.threshold_m_s;
   PENTIMENTO_INDEPENDENT
   for (int i = 0; i < n; ++i) {
-    const float free = before_m_s[i] - pressure_m_s[i] * ((height_b[i] - height_a[i]) * per_dx);
-    const float below = free < cap ? free : cap;
-    const float u = below > -cap ? below : -cap;
-    const float speed = u < 0 ? -u : u;
-    velocity_m_s[i] = depth_m[i] > 0 && speed >= threshold ? u : 0.0f;
+    const float free = velocity_m_s[i] - pressure_m_s[i] * ((height_b[i] - height_a[i]) * per_dx);
+    const float below = free < cap_m_s ? free : cap_m_s;
+    const float u = below > -cap_m_s ? below : -cap_m_s;
+    velocity_m_s[i] = depth_m[i] > 0 ? u : 0.0f;
+  }
+}
+
+PENTIMENTO_KERNEL
+void stand_row(float threshold_m_s, const float* __restrict velocity_m_s, const NodesAround& around,
+               int n, float* __restrict out_m_s) {
+  const float* __restrict first = around.first_m_s;
+  const float* __restrict second = around.second_m_s;
+  const float* __restrict next_first = around.next_first_m_s;
+  const float* __restrict next_second = around.next_second_m_s;
+  const float slowest2 = threshold_m_s * threshold_m_s;
+  PENTIMENTO_INDEPENDENT
+  for (int i = 0; i < n; ++i) {
+    const float u = velocity_m_s[i];
+    const float v = 0.25f * ((first[i] + second[i]) + (next_first[i] + next_second[i]));
+    out_m_s[i] = u * u + v * v >= slowest2 ? u : 0.0f;
   }
 }
 

@@ -60,25 +60,31 @@ struct PressureRow {
 void pressure_row(const PressureRow& f, float dt_gravity_m_s, float dt_s, float dt_per_dx2, int n,
                   float* pressure_m_s, float* coupling);
 
-struct FinishLimits {
-  float threshold_m_s = 0;  // R14
-  float cap_m_s = 0;
-};
-
-/// u = u* - K (h'_b - h'_a) / dx; then |u| <= cap, |u| < threshold stands (R14), dry faces stand.
+/// u = u* - K (h'_b - h'_a) / dx; then |u| <= cap, dry faces stand.
 /// Scheme: the other half of pressure_row's step.
 /// Stable: any dt.
-/// Source: R10, R11, R14 (Stuyck et al. 2016, equation 4).
-/// Departs from it: threshold and cap act on each component where it lives, not on the length of
-///   (u, v); the cap is ours: no paint falls faster than twice the fastest wave.
+/// Source: R10, R11 (Stuyck et al. 2016, equation 4).
+/// Departs from it: the cap, on each component, is ours: no paint falls faster than twice the
+///   fastest wave.
 struct FinishRow {
   const float* depth_m;  // of the face
   const float* pressure_m_s;
   const float* height_a;
   const float* height_b;
-  const float* velocity_m_s;  // u*
 };
-void finish_row(const FinishLimits& limits, const FinishRow& f, float per_dx, int n,
-                float* velocity_m_s);
+/// `velocity_m_s`: u*, becomes u.
+void finish_row(float cap_m_s, const FinishRow& f, float per_dx, int n, float* velocity_m_s);
+
+/// The other component at the four nodes around a face: two in a row of the grid, two in the next.
+struct NodesAround {
+  const float* first_m_s;
+  const float* second_m_s;
+  const float* next_first_m_s;
+  const float* next_second_m_s;
+};
+/// out = u where u^2 + v^2 >= threshold^2, else 0: slow paint stands. v: the mean of the four
+/// nodes. Source: R14.
+void stand_row(float threshold_m_s, const float* velocity_m_s, const NodesAround& around, int n,
+               float* out_m_s);
 
 }  // namespace pentimento::conservative

@@ -30,15 +30,24 @@ TEST(PressureRow, AddsGravityAndWhatTheTensionHolds) {
   EXPECT_NEAR(coupling, 1.5f, 3e-7f);
 }
 
-TEST(FinishRow, CapsAndStopsPaintInBothDirections) {
-  // On a level surface: faster than 2 m/s either way is 2 m/s, slower than 0.1 m/s stands.
-  const std::array<float, 5> depth = {1, 1, 1, 1, 0}, pressure = {}, height = {};
-  const std::array<float, 5> before = {5, -5, 0.09f, -0.09f, 1};
-  std::array<float, 5> out{};
-  finish_row({0.1f, 2},
-             {depth.data(), pressure.data(), height.data(), height.data(), before.data()}, 1, 5,
-             out.data());
-  EXPECT_EQ(out, (std::array<float, 5>{2, -2, 0, 0, 0}));
+TEST(FinishRow, CapsPaintInBothDirections) {
+  // On a level surface: faster than 2 m/s either way is 2 m/s; a dry face stands.
+  const std::array<float, 4> depth = {1, 1, 1, 0}, pressure = {}, height = {};
+  std::array<float, 4> velocity = {5, -5, 0.09f, 1};
+  finish_row(2, {depth.data(), pressure.data(), height.data(), height.data()}, 1, 4,
+             velocity.data());
+  EXPECT_EQ(velocity, (std::array<float, 4>{2, -2, 0.09f, 0}));
+}
+
+TEST(StandRow, PaintStandsThatIsSlowInAllDirections) {
+  // 0.06 m/s along the row. Across, the mean of four nodes is 0.08: together 0.1 m/s; a bit less;
+  // and nodes that run against one another.
+  const std::array<float, 4> along = {0.06f, -0.06f, 0.06f, 0.1f}, zero = {};
+  const std::array<float, 4> first = {0.3f, 0.3f, 0.3f, 0}, second = {0.02f, 0.01f, -0.3f, 0};
+  std::array<float, 4> out{};
+  stand_row(0.09999f, along.data(), {first.data(), second.data(), zero.data(), zero.data()}, 4,
+            out.data());
+  EXPECT_EQ(out, (std::array<float, 4>{0.06f, 0, 0, 0.1f}));
 }
 
 TEST(HeightRhsRow, LosesWhatFlowsOutThroughEachFaceInItsOwnCells) {
