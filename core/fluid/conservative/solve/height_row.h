@@ -82,8 +82,12 @@ struct NodesAround {
   const float* next_first_m_s;
   const float* next_second_m_s;
 };
-/// out = u where u^2 + v^2 >= threshold^2, else 0: slow paint stands. v: the mean of the four
-/// nodes. Source: R14.
+/// out = u where u^2 + v^2 >= threshold^2, else 0: slow paint stands; v is the mean of the nodes
+/// around.
+/// Scheme: pointwise.
+/// Stable: any dt.
+/// Source: R14.
+/// Departs from it: v is interpolated, for the components live on different faces.
 void stand_row(float threshold_m_s, const float* velocity_m_s, const NodesAround& around, int n,
                float* out_m_s);
 
