@@ -486,15 +486,18 @@ void ConservativeScheme::stand(CanvasState& state, const StepInput& in, const Ru
   const WorkPlane& u = work_.x.velocity_m_s;
   const WorkPlane& v = work_.y.velocity_m_s;
   const float threshold = in.model.velocity_threshold_m_s;
-  // The nodes around a right face lie above and below it, those around a lower face beside it.
-  const auto around = [](const WorkPlane& other, int x, int y) {
-    return NodesAround{other.row(y) + x, other.row(y) + x + 1, other.row(y + 1) + x,
-                       other.row(y + 1) + x + 1};
+  // The lowest faces are walls, which stand whatever lies a row beyond the plane.
+  const auto at = [&](const WorkPlane& p, int right, int down) {
+    return p.row(std::min(r.y + down, p.height())) + r.x0 + right;
   };
-  stand_row(threshold, u.row(r.y) + r.x0, around(v, r.x0, r.y - 1), r.size(),
-            state.velocity_x_m_s.row(r.y) + r.x0);
-  stand_row(threshold, v.row(r.y) + r.x0, around(u, r.x0 - 1, r.y), r.size(),
-            state.velocity_y_m_s.row(r.y) + r.x0);
+  stand_row(threshold, {at(u, 0, 0), at(u, 0, -1), at(u, 0, 1)},
+            {{at(v, -1, -1), at(v, 0, -1), at(v, 1, -1), at(v, 2, -1)},
+             {at(v, -1, 0), at(v, 0, 0), at(v, 1, 0), at(v, 2, 0)}},
+            r.size(), state.velocity_x_m_s.row(r.y) + r.x0);
+  stand_row(threshold, {at(v, 0, 0), at(v, -1, 0), at(v, 1, 0)},
+            {{at(u, -1, -1), at(u, -1, 0), at(u, -1, 1), at(u, -1, 2)},
+             {at(u, 0, -1), at(u, 0, 0), at(u, 0, 1), at(u, 0, 2)}},
+            r.size(), state.velocity_y_m_s.row(r.y) + r.x0);
 }
 
 // 6. and 7. The solver calls the parts of both on each row while that row is in the cache.

@@ -72,18 +72,26 @@ void finish_row(float cap_m_s, const FinishRow& f, float per_dx, int n,
 }
 
 PENTIMENTO_KERNEL
-void stand_row(float threshold_m_s, const float* __restrict velocity_m_s, const NodesAround& around,
-               int n, float* __restrict out_m_s) {
-  const float* __restrict first = around.first_m_s;
-  const float* __restrict second = around.second_m_s;
-  const float* __restrict next_first = around.next_first_m_s;
-  const float* __restrict next_second = around.next_second_m_s;
+void stand_row(float threshold_m_s, const NodesBeside& beside, const NodesAround& around, int n,
+               float* __restrict out_m_s) {
+  const float* here = beside.here_m_s;
+  const float* before = beside.before_m_s;
+  const float* after = beside.after_m_s;
+  const auto [a0, a1, a2, a3] = around.one_side_m_s;
+  const auto [b0, b1, b2, b3] = around.other_side_m_s;
   const float slowest2 = threshold_m_s * threshold_m_s;
   PENTIMENTO_INDEPENDENT
   for (int i = 0; i < n; ++i) {
-    const float u = velocity_m_s[i];
-    const float v = 0.25f * ((first[i] + second[i]) + (next_first[i] + next_second[i]));
-    out_m_s[i] = u * u + v * v >= slowest2 ? u : 0.0f;
+    const float u = here[i];
+    const float alone = 0.5f * u;
+    const float mean = 0.25f * (before[i] + after[i]) + alone;
+    const float near = (a1[i] + b1[i]) + (a2[i] + b2[i]);
+    const float far = (a0[i] + b0[i]) + (a3[i] + b3[i]);
+    const float v = 0.1875f * near + 0.0625f * far;
+    const float alone2 = alone * alone;
+    const float mean2 = mean * mean;
+    const float along2 = alone2 > mean2 ? alone2 : mean2;
+    out_m_s[i] = along2 + v * v >= slowest2 ? u : 0.0f;
   }
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 // The linear system of the new height, and the velocities that follow from the height.
 
+#include <array>
+
 namespace pentimento::conservative {
 
 /// The faces around a row of cells: depth and u* of the right faces (readable one face to the left,
@@ -75,20 +77,31 @@ struct FinishRow {
 /// `velocity_m_s`: u*, becomes u.
 void finish_row(float cap_m_s, const FinishRow& f, float per_dx, int n, float* velocity_m_s);
 
-/// The other component at the four nodes around a face: two in a row of the grid, two in the next.
-struct NodesAround {
-  const float* first_m_s;
-  const float* second_m_s;
-  const float* next_first_m_s;
-  const float* next_second_m_s;
+/// A row of faces of one component, and the same component at the faces next to them across its
+/// direction: of right faces those above and below, of lower faces those to the left and right.
+struct NodesBeside {
+  const float* here_m_s;
+  const float* before_m_s;
+  const float* after_m_s;
 };
-/// out = u where u^2 + v^2 >= threshold^2, else 0: slow paint stands; v is the mean of the nodes
-/// around.
+/// The other component around a row of faces: the nodes on their one side and those on their other.
+/// On each side lie, across the direction of the other component, one node before the face, the two
+/// next to it, and one after.
+struct NodesAround {
+  std::array<const float*, 4> one_side_m_s;
+  std::array<const float*, 4> other_side_m_s;
+};
+/// out = u where max(w^2, (u/2)^2) + v^2 >= threshold^2, else 0: slow paint stands.
+///   w = (u_before + 2 u + u_after) / 4
+///   v = mean over both sides of (before + 3 first + 3 second + after) / 8: the mean of the other
+///   component's own w around the face
 /// Scheme: pointwise.
-/// Stable: any dt.
+/// Stable: any dt. A face that does not move itself moves only where the paint around it does, so a
+///   canvas comes to rest.
 /// Source: R14.
-/// Departs from it: v is interpolated, for the components live on different faces.
-void stand_row(float threshold_m_s, const float* velocity_m_s, const NodesAround& around, int n,
+/// Departs from it: the speed is that of paint and of what runs beside it, so that the border of
+///   paint that stands has no teeth one cell wide. From twice the threshold on paint runs alone.
+void stand_row(float threshold_m_s, const NodesBeside& beside, const NodesAround& around, int n,
                float* out_m_s);
 
 }  // namespace pentimento::conservative

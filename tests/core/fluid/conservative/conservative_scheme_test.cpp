@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/fluid/conservative/advection/advection.h"
+#include "core/fluid/conservative/tiles/quantum.h"
 #include "tests/core/fluid/analytic_case.h"
 #include "tests/core/fluid/conservative/basin.h"
 
@@ -121,12 +122,15 @@ TEST(ConservativeScheme, ATurnedCanvasFlowsAlikeTurned) {
   Basin upright = blob(false), lying = blob(true);
   upright.steps(6);
   lying.steps(6);
-  // Sums of four round differently when turned, 1e-7 of a height of 1 cm; quanta and slopes of thin
-  // films at the edge make more of it.
+  // Sums of four round differently when turned, 1e-7 of a height of 1 cm; slopes of thin films at
+  // the edge make more of it.
   EXPECT_LT(difference(upright.state.depth_m, lying.state.depth_m), 1e-4);
   EXPECT_LT(difference(upright.state.velocity_x_m_s, lying.state.velocity_y_m_s), 1e-3);
   EXPECT_LT(difference(upright.state.velocity_y_m_s, lying.state.velocity_x_m_s), 1e-3);
-  EXPECT_LT(difference(upright.state.channel(0, 0), lying.state.channel(0, 0)), 1e-4);
+  // Pigments that move are whole quanta, and a step may round them to the next one.
+  const Field<float>& amount = upright.state.channel(0, 0);
+  EXPECT_LE(difference(amount, lying.state.channel(0, 0)),
+            6 * static_cast<double>(quantum_for(upright.model.max_pigment) / highest(amount)));
 }
 
 TEST(ConservativeScheme, ABrushPushesOnceInAStepCutIntoParts) {

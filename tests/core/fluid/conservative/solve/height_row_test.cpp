@@ -39,15 +39,40 @@ TEST(FinishRow, CapsPaintInBothDirections) {
   EXPECT_EQ(velocity, (std::array<float, 4>{2, -2, 0.09f, 0}));
 }
 
-TEST(StandRow, PaintStandsThatIsSlowInAllDirections) {
-  // 0.06 m/s along the row. Across, the mean of four nodes is 0.08: together 0.1 m/s; a bit less;
-  // and nodes that run against one another.
-  const std::array<float, 4> along = {0.06f, -0.06f, 0.06f, 0.1f}, zero = {};
-  const std::array<float, 4> first = {0.3f, 0.3f, 0.3f, 0}, second = {0.02f, 0.01f, -0.3f, 0};
+/// What stand_row leaves of a row of velocities among those beside it, if the other component is as
+/// around it (first the nodes on one side: before, two in the middle, after), and 0.1 m/s is slow.
+std::array<float, 4> left_standing(const std::array<std::array<float, 4>, 3>& beside,
+                                   const std::array<std::array<float, 4>, 8>& around) {
   std::array<float, 4> out{};
-  stand_row(0.09999f, along.data(), {first.data(), second.data(), zero.data(), zero.data()}, 4,
-            out.data());
-  EXPECT_EQ(out, (std::array<float, 4>{0.06f, 0, 0, 0.1f}));
+  const auto at = [&](std::size_t k) { return around[k].data(); };
+  stand_row(0.09999f, {beside[1].data(), beside[0].data(), beside[2].data()},
+            {{at(0), at(1), at(2), at(3)}, {at(4), at(5), at(6), at(7)}}, 4, out.data());
+  return out;
+}
+
+TEST(StandRow, PaintStandsThatIsSlowInAllDirections) {
+  // The other component is (0.06 + 3 x 0.2 + 3 x 0.18 + 0.08) / 16 = 0.08 m/s, less by 0.005 in the
+  // second column, and 0 in the third, for its sides cancel.
+  const std::array<float, 4> along = {0.06f, -0.06f, 0.06f, 0.1f};
+  EXPECT_EQ(left_standing({along, along, along}, {std::array{0.06f, 0.06f, 0.06f, 0.0f},
+                                                  {0.2f, 0.2f, 0.2f, 0},
+                                                  {0.18f, 0.18f, 0.18f, 0},
+                                                  {0.08f, 0.0f, 0.08f, 0},
+                                                  {0, 0, -0.06f, 0},
+                                                  {0, 0, -0.2f, 0},
+                                                  {0, 0, -0.18f, 0},
+                                                  {0, 0, -0.08f, 0}}),
+            (std::array<float, 4>{0.06f, 0, 0, 0.1f}));
+}
+
+TEST(StandRow, PaintRunsOrStandsWithThatBesideIt) {
+  // 0.08 m/s between 0.12 and 0.12, and between 0.12 and 0.11; 0.12 between 0.08 and 0.07 m/s; and
+  // 0.2 m/s, which is more than paint beside it can hold, though it runs the other way.
+  EXPECT_EQ(left_standing({std::array{0.12f, 0.12f, 0.08f, -0.1f},
+                           {0.08f, 0.08f, 0.12f, 0.2f},
+                           {0.12f, 0.11f, 0.07f, -0.1f}},
+                          {}),
+            (std::array<float, 4>{0.08f, 0, 0, 0.2f}));
 }
 
 TEST(HeightRhsRow, LosesWhatFlowsOutThroughEachFaceInItsOwnCells) {
