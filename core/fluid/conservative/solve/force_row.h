@@ -14,7 +14,7 @@ struct LateralGravity {
 ///   u = g d^2 / (3 nu) exactly.
 /// Stable: any dt.
 /// Source: R11 with A7, R15 (Stuyck et al. 2016, equation 4).
-/// Departs from it: bed friction (face_row.h).
+/// Departs from it: bed friction (face_row.h), with the drag of the paint beside it (drag_row.h).
 void force_row(const LateralGravity& g, const float* depth_m, const float* mobility_frac,
                const float* friction_frac, int n, float* velocity_m_s);
 
