@@ -41,7 +41,7 @@ def main(arguments):
         sheet = Image.new("RGB", (left.width + right.width, left.height))
         sheet.paste(left, (0, 0))
         sheet.paste(right, (left.width, 0))
-        sheet.save(f"{out}/scheme-{name}.jpg", quality=85)
+        sheet.save(f"{out}/scheme-{name}.jpg", quality=75)
         print(f"| {name} | " + " | ".join(f"{account:.1e}" if abs(account) < 1e-3 else f"{account:.2g}"
                                           for account in (ours[0], published[0], ours[1], published[1])) + " |", flush=True)
 
