@@ -133,7 +133,8 @@ TEST(ConservativeScheme, AStepDependsOnTheStateAlone) {
   for (int y = 0; y < 12; ++y)
     for (int x = 0; x < 12; ++x) {
       b.state.depth_m(58 + x, 10 + y) = x < 6 ? 0.003f : 0.002f;
-      b.state.depth_m(122 + x, 74 + y) = 0.003f + 0.0015f * static_cast<float>((x * 7 + y * 5) % 11);
+      b.state.depth_m(122 + x, 74 + y) =
+          0.003f + 0.0015f * static_cast<float>((x * 7 + y * 5) % 11);
     }
   int all_awake = 0, second_awake = 0;
   for (int i = 0; i < 30; ++i) {
