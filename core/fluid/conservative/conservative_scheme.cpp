@@ -11,7 +11,7 @@
 #include "core/fluid/conservative/advection/face_row.h"
 #include "core/fluid/conservative/contact_line.h"
 #include "core/fluid/conservative/solve/capillary_row.h"
-#include "core/fluid/conservative/solve/drag_row.h"
+#include "core/fluid/conservative/solve/find_drag.h"
 #include "core/fluid/conservative/solve/force_row.h"
 #include "core/fluid/conservative/solve/height_row.h"
 #include "core/fluid/conservative/solve/viscous_row.h"
@@ -163,8 +163,8 @@ void ConservativeScheme::part_of_step(CanvasState& state, const StepInput& in, i
   // ... and holds the films that are too shallow to advance over bare canvas.
   pin_edges(state, in);
   passed("edges");
-  // ... and finds how far a force gets where the paint beside it drags, too.
-  find_drag(state, in);
+  // 4d. ... and finds how far a force gets where the paint beside it drags, too.
+  find_drag(state.geometry, in.dt_s, tiles_->runs(), in.threads, work_);
   passed("drag");
   // Where nothing moves and nothing gives way, that is all.
   if (part == 0) find_live(in);
@@ -295,33 +295,6 @@ void ConservativeScheme::pin_edges(const CanvasState& state, const StepInput& in
       line.pin_row(state.depth_m, Axis::kY, x, r.y, n, work_.y.friction_frac.row(r.y) + x);
     });
   });
-}
-
-// 4d. The drag of paint on the paint beside it. The sweeps lie on planes that are not needed any
-// more or not yet; the last one takes the place of the friction.
-void ConservativeScheme::find_drag(const CanvasState& state, const StepInput& in) {
-  const float dx = state.geometry.dx_m();
-  const float dy = state.geometry.dy_m();
-  const auto sweep = [&](WorkPlane NodePlanes::*from, WorkPlane NodePlanes::*to) {
-    const auto one = [&](NodePlanes& n, int right, int down, float across_m, const Run& r) {
-      const auto at = [&](const WorkPlane& p, int side) {
-        return p.row(r.y + side * down) + r.x0 + side * right;
-      };
-      const auto faces = [&](int side) {
-        return DragFaces{at(n.depth_m, side), at(n.viscosity_m2_s, side), at(n.*from, side)};
-      };
-      drag_row(faces(-1), faces(0), faces(1), at(n.friction_frac, 0),
-               in.dt_s / (across_m * across_m), r.size(), (n.*to).row(r.y) + r.x0);
-    };
-    for_runs(in.threads, tiles_->runs(), [&](const Run& r) {
-      one(work_.x, 0, 1, dy, r);
-      one(work_.y, 1, 0, dx, r);
-    });
-  };
-  sweep(&NodePlanes::friction_frac, &NodePlanes::pressure_m_s);
-  sweep(&NodePlanes::pressure_m_s, &NodePlanes::mass_m);
-  sweep(&NodePlanes::mass_m, &NodePlanes::pressure_m_s);
-  sweep(&NodePlanes::pressure_m_s, &NodePlanes::friction_frac);
 }
 
 void ConservativeScheme::foresee_surface(const CanvasState& state, const StepInput& in,

@@ -53,7 +53,6 @@ class ConservativeScheme : public FluidScheme {
   void find_faces(const CanvasState& state, const StepInput& in, const Run& r);
   void pin_edges(const CanvasState& state, const StepInput& in);
   FluxRow fluxes(const Run& r) const;
-  void find_drag(const CanvasState& state, const StepInput& in);
   void foresee_surface(const CanvasState& state, const StepInput& in, const Run& r);
   void copy_sleeping_neighbours(const CanvasState& state);
   void find_films(const CanvasState& state, const Run& r);
