@@ -4,7 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "core/detail/flow/level_rows.h"
+#include "core/detail/flow/even_edges.h"
+#include "core/detail/flow/profile_mean.h"
 #include "core/detail/flow/smooth_field.h"
 
 namespace pentimento {
@@ -12,10 +13,15 @@ namespace pentimento {
 namespace {
 constexpr float kBare = 0.02f;  // share of the fullest cell around: less is no film
 constexpr int kFits = 2;        // of the contour
+constexpr int kWidenings = 2;   // of the contour where it leaves too little of a cell
 constexpr int kFilmPasses = 3;  // of the film
 constexpr int kTap = 2;         // cells on each side that the mean of a spline looks at
-constexpr int kAround = FilmSpline::kMargin + (kFits + kFilmPasses) * kTap;
+constexpr int kEven = kFits * kTap + kEvenReach;     // cells from the border that are even
+constexpr int kWidened = kEven + kWidenings * kTap;  // and wide enough
+constexpr int kAround = FilmSpline::kMargin + kWidened + kFilmPasses * kTap;
 constexpr float kLeastProfile = 1e-3f;  // keeps a cell outside the contour from dividing by 0
+constexpr float kMayBeThin = 0.8f;      // coverage; M is more than the least share above it
+constexpr float kLeastShare = 0.25f;    // of a wet cell that lies inside the contour
 constexpr float kMost = 4;              // the film stays within a quarter and four times the depth
 // Where B(f) is more than this, no point of the cell has W below 0.99 and M is 1: even the corners
 // of the five by five cells have a weight of 7e-6.
@@ -52,10 +58,6 @@ std::vector<float> spline_means(const std::vector<float>& value, int width, int 
   };
   return blur(blur(value, 1, kTap, 0), width, 0, kTap);
 }
-
-/// The four points along an axis of a cell where M is measured.
-constexpr std::array<SplineTaps, 4> kPoints = {spline_taps(-0.375f), spline_taps(-0.125f),
-                                               spline_taps(0.125f), spline_taps(0.375f)};
 }  // namespace
 
 FilmSpline::FilmSpline(const Field<float>& plane, const CellBox& box)
@@ -77,62 +79,76 @@ FilmSpline::FilmSpline(const Field<float>& plane, const CellBox& box)
   // The contour comes as far as the cells at the edge need.
   const std::vector<float> mean = spline_means(held, width_, height_);
   for (int fit = 1; fit <= kFits; ++fit) fit_coverage(held, mean, fit * kTap);
+  // It is even along the edge, and leaves something of each cell.
+  coverage_ = even_edges(coverage_, width_, height_);
+  for (int pass = 1; pass <= kWidenings; ++pass) widen(held, kEven + pass * kTap);
   // The film is adjusted until the spline's means are what the cells hold.
   film_ = held;
   const std::vector<float> spread = spline_means(coverage_, width_, height_);
-  const std::vector<float> profile = profile_means(held, spread);
+  const std::vector<std::size_t> edge = cells_where(
+      kWidened, [&](std::size_t cell) { return held[cell] > 0 && spread[cell] < kWhole; });
+  const std::vector<float> means = profile_means(edge);
+  std::vector<float> profile(cells, 1.0f);
+  for (std::size_t e = 0; e < edge.size(); ++e) profile[edge[e]] = means[e];
   for (int pass = 1; pass <= kFilmPasses; ++pass)
-    sharpen(held, profile, spread, (kFits + pass) * kTap);
+    sharpen(held, profile, spread, kWidened + pass * kTap);
 }
 
 /// One pass over the cells that are at least `margin` away from the border. `mean`: B(d).
 void FilmSpline::fit_coverage(const std::vector<float>& held, const std::vector<float>& mean,
                               int margin) {
   const std::vector<float> spread = spline_means(coverage_, width_, height_);
-  const std::vector<float> profile = profile_means(held, spread);
+  const std::vector<std::size_t> edge =
+      cells_where(margin, [&](std::size_t i) { return held[i] > 0 && coverage_[i] < 1; });
+  const std::vector<float> profile = profile_means(edge);
+  for (std::size_t e = 0; e < edge.size(); ++e) {
+    const std::size_t i = edge[e];
+    const float holds = std::max(profile[e], kLeastProfile) * mean[i];
+    const float factor = std::clamp(std::sqrt(held[i] * spread[i] / holds), 0.5f, 2.0f);
+    coverage_[i] = std::min(coverage_[i] * factor, 1.0f);
+  }
+}
+
+/// One pass over the cells that are at least `margin` away from the border.
+void FilmSpline::widen(const std::vector<float>& held, int margin) {
+  const std::vector<std::size_t> thin =
+      cells_where(margin, [&](std::size_t i) { return held[i] > 0 && coverage_[i] < kMayBeThin; });
+  const std::vector<float> profile = profile_means(thin);
+  for (std::size_t e = 0; e < thin.size(); ++e) {
+    const float lacks = kLeastShare / std::max(profile[e], kLeastProfile);
+    const float factor = std::clamp(std::sqrt(lacks), 1.0f, 2.0f);
+    coverage_[thin[e]] = std::min(coverage_[thin[e]] * factor, 1.0f);
+  }
+}
+
+/// The cells that are at least `margin` away from the border and for which holds(cell) is true.
+template <typename Holds>
+std::vector<std::size_t> FilmSpline::cells_where(int margin, const Holds& holds) const {
+  std::vector<std::size_t> cells;
   for (int y = margin; y < height_ - margin; ++y)
     for (int x = margin; x < width_ - margin; ++x) {
-      const std::size_t i = static_cast<std::size_t>(y * width_ + x);
-      if (!(held[i] > 0) || !(coverage_[i] < 1)) continue;
-      const float holds = std::max(profile[i], kLeastProfile) * mean[i];
-      const float factor = std::clamp(std::sqrt(held[i] * spread[i] / holds), 0.5f, 2.0f);
-      coverage_[i] = std::min(coverage_[i] * factor, 1.0f);
-    }
-}
-
-/// M, the share that the edge's profile lets each cell hold; whole cells need no measuring.
-/// `spread`: B(f).
-std::vector<float> FilmSpline::profile_means(const std::vector<float>& held,
-                                             const std::vector<float>& spread) const {
-  std::vector<float> profile(held.size(), 1.0f);
-  for (int y = kTap; y < height_ - kTap; ++y)
-    for (int x = kTap; x < width_ - kTap; ++x) {
       const std::size_t cell = static_cast<std::size_t>(y * width_ + x);
-      if (held[cell] > 0 && spread[cell] < kWhole) profile[cell] = profile_mean(cell);
+      if (holds(cell)) cells.push_back(cell);
     }
-  return profile;
+  return cells;
 }
 
-/// M of a cell, from 4 x 4 points: along the rows first, then down.
-float FilmSpline::profile_mean(std::size_t cell) const {
-  std::array<std::array<float, kPoints.size()>, 2 * kTap + 1> along{};
-  for (int j = -kTap; j <= kTap; ++j) {
-    const float* row = coverage_.data() + static_cast<std::ptrdiff_t>(cell) + j * width_;
-    std::array<float, kPoints.size()>& sums = along[static_cast<std::size_t>(j + kTap)];
-    for (std::size_t p = 0; p < kPoints.size(); ++p)
-      for (int i = 0; i < 4; ++i)
-        sums[p] += kPoints[p].weight[static_cast<std::size_t>(i)] * row[kPoints[p].first + i];
-  }
-  float sum = 0;
-  for (const SplineTaps& down : kPoints) {
-    for (std::size_t p = 0; p < kPoints.size(); ++p) {
-      float wet = 0;
-      for (std::size_t j = 0; j < 4; ++j)
-        wet += down.weight[j] * along[static_cast<std::size_t>(down.first + kTap) + j][p];
-      sum += edge_profile(wet);
+/// M, the share that the edge's profile lets each cell hold.
+std::vector<float> FilmSpline::profile_means(const std::vector<std::size_t>& cells) const {
+  std::vector<float> profile(cells.size());
+  CoverageAround around;
+  for (std::size_t first = 0; first < cells.size(); first += kProfileBatch) {
+    const std::size_t n = std::min<std::size_t>(kProfileBatch, cells.size() - first);
+    for (std::size_t e = 0; e < n; ++e) {
+      const float* middle = coverage_.data() + cells[first + e];
+      std::size_t k = 0;
+      for (int j = -kProfileReach; j <= kProfileReach; ++j)
+        for (int i = -kProfileReach; i <= kProfileReach; ++i, ++k)
+          around[k][e] = middle[static_cast<std::ptrdiff_t>(j) * width_ + i];
     }
+    profile_mean_row(around, static_cast<int>(n), profile.data() + first);
   }
-  return sum / 16;
+  return profile;
 }
 
 /// One pass over the cells that are at least `margin` away from the border.

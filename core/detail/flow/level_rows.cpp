@@ -5,18 +5,9 @@
 namespace pentimento {
 
 namespace {
-constexpr float kFilmLow = 0.35f, kFilmRise = 0.5f;  // where the edge's profile rises, and how far
-constexpr float kStainLow = 0.35f, kStainRise = 0.4f;
-constexpr float kSkirt = 0.02f;
-constexpr float kEdgeReach = 4;  // pigment relaxes where its coverage is below 1, fully at 3/4
-
-inline __attribute__((always_inline)) float profile(float wetness, float low, float rise) {
-  const float along = (wetness - low) / rise;
-  const float least = along > 0 ? along : 0.0f;
-  const float t = least < 1 ? least : 1.0f;
-  const float edge = t * t * (3 - 2 * t), skirt = kSkirt * wetness * wetness * wetness;
-  return edge > skirt ? edge : skirt;
-}
+constexpr float kStainLow = 0.35f,
+                kStainRise = 0.4f;  // where a pigment's profile rises, and how far
+constexpr float kEdgeReach = 4;     // pigment relaxes where its coverage is below 1, fully at 3/4
 
 /// a / b where b > 0, else 0, without a branch.
 inline __attribute__((always_inline)) float share(float a, float b) {
@@ -25,17 +16,13 @@ inline __attribute__((always_inline)) float share(float a, float b) {
 }
 }  // namespace
 
-float edge_profile(float wetness) {
-  return profile(wetness, kFilmLow, kFilmRise);
-}
-
 PENTIMENTO_KERNEL
 void relax_depth_row(const LevelRow& guide, const float* base_m, int n, float* __restrict depth_m) {
   const float *rate = guide.rate, *wet = guide.wet, *depth = guide.depth_m, *base = guide.base_m;
   PENTIMENTO_INDEPENDENT
   for (int i = 0; i < n; ++i) {
     const float surface = share(depth[i], wet[i]) + base[i] - base_m[i];
-    const float target = profile(wet[i], kFilmLow, kFilmRise) * (surface > 0 ? surface : 0.0f);
+    const float target = edge_profile(wet[i]) * (surface > 0 ? surface : 0.0f);
     depth_m[i] += rate[i] * (target - depth_m[i]);
   }
 }
@@ -53,7 +40,7 @@ void relax_pigment_row(const LevelRow& guide, const LevelPigmentRow& pigment, co
     const float carried = amount[i] * kept + brought;
     const float reach = kEdgeReach * (1 - coverage[i]), edge = reach < 1 ? reach : 1.0f;
     const float target =
-        profile(coverage[i], kStainLow, kStainRise) * share(smooth[i], coverage[i]);
+        rising_profile(coverage[i], kStainLow, kStainRise) * share(smooth[i], coverage[i]);
     const float pull = coverage[i] > 0 && edge > 0 ? rate[i] * edge : 0.0f;
     amount[i] = carried + pull * (target - carried);
   }

@@ -11,9 +11,21 @@ struct LevelRow {
   const float* base_m;   // smooth b_g
 };
 
-/// m(W) of the film: 0 at 0.35, 1 at 0.85, smooth between; below, a skirt of at most 1 % of the
-/// film, which shows only where a block has nothing else.
-float edge_profile(float wetness);
+/// 0 at `low`, 1 at `low` + `rise`, smooth between; below, a skirt of at most 2 % of W^3, which
+/// shows only where a block has nothing else.
+inline __attribute__((always_inline)) float rising_profile(float wetness, float low, float rise) {
+  constexpr float kSkirt = 0.02f;
+  const float along = (wetness - low) / rise;
+  const float least = along > 0 ? along : 0.0f;
+  const float t = least < 1 ? least : 1.0f;
+  const float edge = t * t * (3 - 2 * t), skirt = kSkirt * wetness * wetness * wetness;
+  return edge > skirt ? edge : skirt;
+}
+
+/// m(W) of the film: it rises from W = 0.35 to 0.85.
+inline __attribute__((always_inline)) float edge_profile(float wetness) {
+  return rising_profile(wetness, 0.35f, 0.5f);
+}
 
 /// d += L (m(W) max(0, S + b_s - b) - d),  S = d_s / W, over n cells.
 /// Scheme: relaxation. Stable: 0 <= L < 1, so d stays between itself and the target, >= 0.
