@@ -8,6 +8,28 @@
 namespace pentimento {
 
 namespace {
+/// How much of its source cell lies before each edge.
+PENTIMENTO_KERNEL
+void find_shares(const float* position, const int* cell, int edges, float* __restrict share) {
+  for (int j = 0; j < edges; ++j) {
+    const float low = position[cell[j]], high = position[cell[j] + 1];
+    const float part = (static_cast<float>(j) - low) / (high - low);
+    const float some = part < 0 ? 0.0f : part;
+    share[j] = some > 1 ? 1.0f : some;
+  }
+}
+
+/// The most cells between the sources of two edges side by side.
+PENTIMENTO_KERNEL
+int most_apart(const int* cell, int edges) {
+  int most = 0;
+  for (int j = 1; j < edges; ++j) {
+    const int apart = cell[j] - cell[j - 1];
+    most = apart > most ? apart : most;
+  }
+  return most;
+}
+
 /// part(i, s) of each edge (fine_remap.h).
 PENTIMENTO_KERNEL
 void find_parts(const int* cell, const float* share, const float* m, int edges,
@@ -44,19 +66,18 @@ void find_sources(std::span<const float> position, FineSources& sources) {
   sources.cell.resize(edges);
   sources.share.resize(edges);
   sources.most = 0;
+  // Both ascend: one walk finds the cell of each edge.
   std::size_t i = 0;
   for (std::size_t j = 0; j + 1 < edges; ++j) {
     const float at = static_cast<float>(j);
     while (i + 2 < edges && position[i + 1] <= at) ++i;
-    const float share = (at - position[i]) / (position[i + 1] - position[i]);
     sources.cell[j] = static_cast<int>(i);
-    sources.share[j] = share < 0 ? 0.0f : share > 1 ? 1.0f : share;
-    if (j > 0) sources.most = std::max(sources.most, sources.cell[j] - sources.cell[j - 1]);
   }
+  find_shares(position.data(), sources.cell.data(), static_cast<int>(edges) - 1,
+              sources.share.data());
   sources.cell[edges - 1] = static_cast<int>(edges) - 2;
   sources.share[edges - 1] = 1;
-  if (edges > 1)
-    sources.most = std::max(sources.most, sources.cell[edges - 1] - sources.cell[edges - 2]);
+  sources.most = most_apart(sources.cell.data(), static_cast<int>(edges));
 }
 
 void remap_line(const FineSources& sources, std::span<const float> amount, std::span<float> part,
