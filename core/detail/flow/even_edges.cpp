@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <optional>
 
+#include "core/base/kernel.h"
+
 namespace pentimento {
 
 namespace {
@@ -21,15 +23,19 @@ struct EdgeFrame {
   std::ptrdiff_t along;    // to the next one along it
 };
 
-/// Whether a cell is at the edge of a film or beside it.
-bool at_edge(const float* cell, std::ptrdiff_t row) {
-  float least = cell[0], most = cell[0];
-  for (int j = -1; j <= 1; ++j)
+/// Which of n cells of a row are at the edge of a film or beside it.
+PENTIMENTO_KERNEL
+void find_edge_row(const float* cell, std::ptrdiff_t row, int n, unsigned char* __restrict edge) {
+  const float *above = cell - row, *below = cell + row;
+  for (int x = 0; x < n; ++x) {
+    float least = cell[x], most = cell[x];
     for (int i = -1; i <= 1; ++i) {
-      least = std::min(least, cell[j * row + i]);
-      most = std::max(most, cell[j * row + i]);
+      const float values[] = {above[x + i], cell[x + i], below[x + i]};
+      for (const float v : values) least = v < least ? v : least, most = v > most ? v : most;
     }
-  return most > 0 && (cell[0] < 1 || !(least > 0));
+    edge[x] = static_cast<unsigned char>(most > 0) &
+              (static_cast<unsigned char>(cell[x] < 1) | static_cast<unsigned char>(!(least > 0)));
+  }
 }
 
 /// The directions at a cell, if the film falls off there.
@@ -76,23 +82,28 @@ float mean_covered(const float* cell, const EdgeFrame& frame, float here) {
   for (int k = 1; k <= reach; ++k) sum += static_cast<float>(reach + 1 - k) * pair[k];
   return here + sum / static_cast<float>((reach + 1) * (reach + 1));
 }
+/// f' of a cell.
+float even_cell(const float* cell, std::ptrdiff_t row) {
+  const std::optional<EdgeFrame> frame = frame_at(cell, row);
+  if (!frame || !(cell[-frame->outward] > 0)) return cell[0];
+  const float here = covered(cell, frame->outward);
+  if (!(here > 0)) return cell[0];
+  const float within = mean_covered(cell, *frame, here) - kAcross;
+  return std::clamp(within, cell[0] > 0 ? kLeastCoverage : 0.0f, 1.0f);
+}
 }  // namespace
 
 std::vector<float> even_edges(const std::vector<float>& coverage, int width, int height) {
   std::vector<float> even = coverage;
-  for (int y = kEvenReach; y < height - kEvenReach; ++y)
-    for (int x = kEvenReach; x < width - kEvenReach; ++x) {
-      const std::ptrdiff_t i = static_cast<std::ptrdiff_t>(y) * width + x;
-      const float* cell = coverage.data() + i;
-      if (!at_edge(cell, width)) continue;
-      const std::optional<EdgeFrame> frame = frame_at(cell, width);
-      if (!frame || !(cell[-frame->outward] > 0)) continue;
-      const float here = covered(cell, frame->outward);
-      if (!(here > 0)) continue;
-      const float within = mean_covered(cell, *frame, here) - kAcross;
-      const float least = cell[0] > 0 ? kLeastCoverage : 0.0f;
-      even[static_cast<std::size_t>(i)] = std::clamp(within, least, 1.0f);
-    }
+  const int inner = width - 2 * kEvenReach;
+  std::vector<unsigned char> edge(static_cast<std::size_t>(std::max(0, inner)));
+  for (int y = kEvenReach; y < height - kEvenReach; ++y) {
+    const std::ptrdiff_t first = static_cast<std::ptrdiff_t>(y) * width + kEvenReach;
+    find_edge_row(coverage.data() + first, width, inner, edge.data());
+    for (int x = 0; x < inner; ++x)
+      if (edge[static_cast<std::size_t>(x)] != 0)
+        even[static_cast<std::size_t>(first + x)] = even_cell(coverage.data() + first + x, width);
+  }
   return even;
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/kernel.h"
 #include "core/detail/flow/even_edges.h"
 #include "core/detail/flow/profile_mean.h"
 #include "core/detail/flow/smooth_field.h"
@@ -18,7 +19,7 @@ constexpr int kFilmPasses = 3;  // of the film
 constexpr int kTap = 2;         // cells on each side that the mean of a spline looks at
 constexpr int kEven = kFits * kTap + kEvenReach;     // cells from the border that are even
 constexpr int kWidened = kEven + kWidenings * kTap;  // and wide enough
-constexpr int kAround = FilmSpline::kMargin + kWidened + kFilmPasses * kTap;
+constexpr int kAround = FilmSpline::kMargin + kWidened + kFilmPasses * kTap + 1;
 constexpr float kLeastProfile = 1e-3f;  // keeps a cell outside the contour from dividing by 0
 constexpr float kMayBeThin = 0.8f;      // coverage; M is more than the least share above it
 constexpr float kLeastShare = 0.25f;    // of a wet cell that lies inside the contour
@@ -27,18 +28,22 @@ constexpr float kMost = 4;              // the film stays within a quarter and f
 // of the five by five cells have a weight of 7e-6.
 constexpr float kWhole = 1 - 1e-6f;
 
-float fill_at(const Field<float>& plane, int x, int y) {
-  const int right = plane.width() - 1, bottom = plane.height() - 1;
-  const float here = plane(x, y);
-  if (!(here > 0)) return 0;
-  float most = here;
-  for (int j = std::max(0, y - 1); j <= std::min(bottom, y + 1); ++j)
-    for (int i = std::max(0, x - 1); i <= std::min(right, x + 1); ++i)
-      most = std::max(most, plane(i, j));
-  const float least =
-      std::min(std::min(plane(std::max(0, x - 1), y), plane(std::min(right, x + 1), y)),
-               std::min(plane(x, std::max(0, y - 1)), plane(x, std::min(bottom, y + 1))));
-  return least < kBare * most ? here / most : 1.0f;
+/// How full of film n cells of a row are, f of the header before it is fitted.
+PENTIMENTO_KERNEL
+void find_fill_row(const float* cell, std::ptrdiff_t row, int n, float* __restrict fill) {
+  const float *above = cell - row, *below = cell + row;
+  for (int x = 0; x < n; ++x) {
+    float most = cell[x];
+    for (int i = -1; i <= 1; ++i) {
+      const float values[] = {above[x + i], cell[x + i], below[x + i]};
+      for (const float v : values) most = v > most ? v : most;
+    }
+    const float beside = cell[x - 1] < cell[x + 1] ? cell[x - 1] : cell[x + 1];
+    const float along = above[x] < below[x] ? above[x] : below[x];
+    const float least = beside < along ? beside : along;
+    const float share = cell[x] / (most > 0 ? most : 1.0f);
+    fill[x] = cell[x] > 0 ? (least < kBare * most ? share : 1.0f) : 0.0f;
+  }
 }
 
 /// B: means along the rows, then along the columns. Cells nearer than kTap to the border stay as
@@ -68,14 +73,11 @@ FilmSpline::FilmSpline(const Field<float>& plane, const CellBox& box)
   const std::size_t cells = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
   // What the cells hold, and how full each is of film.
   std::vector<float> held(cells);
-  coverage_.resize(cells);
   std::size_t i = 0;
   for (int y = y0_; y < y0_ + height_; ++y)
-    for (int x = x0_; x < x0_ + width_; ++x, ++i) {
-      const int px = std::clamp(x, 0, plane.width() - 1), py = std::clamp(y, 0, plane.height() - 1);
-      held[i] = plane(px, py);
-      coverage_[i] = fill_at(plane, px, py);
-    }
+    for (int x = x0_; x < x0_ + width_; ++x, ++i)
+      held[i] = plane(std::clamp(x, 0, plane.width() - 1), std::clamp(y, 0, plane.height() - 1));
+  fill_coverage(held, plane.width(), plane.height());
   // The contour comes as far as the cells at the edge need.
   const std::vector<float> mean = spline_means(held, width_, height_);
   for (int fit = 1; fit <= kFits; ++fit) fit_coverage(held, mean, fit * kTap);
@@ -92,6 +94,22 @@ FilmSpline::FilmSpline(const Field<float>& plane, const CellBox& box)
   for (std::size_t e = 0; e < edge.size(); ++e) profile[edge[e]] = means[e];
   for (int pass = 1; pass <= kFilmPasses; ++pass)
     sharpen(held, profile, spread, kWidened + pass * kTap);
+}
+
+/// f before it is fitted. The outermost cells lack neighbours and stay bare.
+void FilmSpline::fill_coverage(const std::vector<float>& held, int canvas_width,
+                               int canvas_height) {
+  coverage_.assign(held.size(), 0.0f);
+  for (int y = 1; y < height_ - 1; ++y) {
+    const std::ptrdiff_t first = static_cast<std::ptrdiff_t>(y) * width_ + 1;
+    find_fill_row(held.data() + first, width_, width_ - 2, coverage_.data() + first);
+  }
+  // Beyond the canvas the outermost cells are repeated.
+  for (int y = y0_; y < y0_ + height_; ++y)
+    for (int x = x0_; x < x0_ + width_; ++x) {
+      const int px = std::clamp(x, 0, canvas_width - 1), py = std::clamp(y, 0, canvas_height - 1);
+      if (px != x || py != y) coverage_[at(x, y)] = coverage_[at(px, py)];
+    }
 }
 
 /// One pass over the cells that are at least `margin` away from the border. `mean`: B(d).

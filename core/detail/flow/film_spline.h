@@ -46,6 +46,7 @@ class FilmSpline {
   template <typename Holds>
   std::vector<std::size_t> cells_where(int margin, const Holds& holds) const;
   std::vector<float> profile_means(const std::vector<std::size_t>& cells) const;
+  void fill_coverage(const std::vector<float>& held, int canvas_width, int canvas_height);
   void fit_coverage(const std::vector<float>& held, const std::vector<float>& mean, int margin);
   void widen(const std::vector<float>& held, int margin);
   void sharpen(const std::vector<float>& held, const std::vector<float>& profile,
