@@ -40,6 +40,23 @@ TEST(RemapLine, MovesWholeCellsExactly) {
   EXPECT_FLOAT_EQ(out[5], 6);
 }
 
+TEST(FindSources, AreWhereEachEdgeCameFrom) {
+  // The edge at j came from cell i: its place is between the positions of that cell's edges.
+  const std::vector<float> position = {0, 2.5f, 2.75f, 3, 3.5f, 7, 8};
+  FineSources sources;
+  find_sources(position, sources);
+  EXPECT_EQ(sources.cell, (std::vector<int>{0, 0, 0, 3, 4, 4, 5}));
+  const float expected[] = {0, 0.4f, 0.8f, 0, 0.5f / 3.5f, 1.5f / 3.5f, 1};
+  for (std::size_t j = 0; j < position.size(); ++j)
+    EXPECT_FLOAT_EQ(sources.share[j], expected[j]) << j;
+  EXPECT_EQ(sources.most, 3);
+  // At both ends of the line too.
+  find_sources(std::vector<float>{0, 0.25f, 0.5f, 0.75f, 4}, sources);
+  EXPECT_EQ(sources.most, 3);
+  find_sources(std::vector<float>{0, 3.25f, 3.5f, 3.75f, 4}, sources);
+  EXPECT_EQ(sources.most, 3);
+}
+
 TEST(RemapLine, KeepsSumsAndSigns) {
   std::vector<float> guide = {0, 0.4f, -0.9f, 1.3f, 0.2f, 0}, amount(40), position(41);
   place_edges(guide, 8, position);
