@@ -23,18 +23,19 @@ struct EdgeFrame {
   std::ptrdiff_t along;    // to the next one along it
 };
 
-/// Which of n cells of a row are at the edge of a film or beside it.
+/// Which of n cells of a row are at the film's edge or beside it, and have coverage around them.
 PENTIMENTO_KERNEL
-void find_edge_row(const float* cell, std::ptrdiff_t row, int n, unsigned char* __restrict edge) {
-  const float *above = cell - row, *below = cell + row;
+void find_edge_row(const float* coverage, const float* film, std::ptrdiff_t row, int n,
+                   unsigned char* __restrict edge) {
   for (int x = 0; x < n; ++x) {
-    float least = cell[x], most = cell[x];
-    for (int i = -1; i <= 1; ++i) {
-      const float values[] = {above[x + i], cell[x + i], below[x + i]};
-      for (const float v : values) least = v < least ? v : least, most = v > most ? v : most;
-    }
-    edge[x] = static_cast<unsigned char>(most > 0) &
-              (static_cast<unsigned char>(cell[x] < 1) | static_cast<unsigned char>(!(least > 0)));
+    float least = film[x], most = coverage[x];
+    for (int j = -1; j <= 1; ++j)
+      for (int i = -1; i <= 1; ++i) {
+        const float f = film[j * row + x + i], c = coverage[j * row + x + i];
+        least = f < least ? f : least;
+        most = c > most ? c : most;
+      }
+    edge[x] = static_cast<unsigned char>(most > 0) & static_cast<unsigned char>(!(least > 0));
   }
 }
 
@@ -93,13 +94,14 @@ float even_cell(const float* cell, std::ptrdiff_t row) {
 }
 }  // namespace
 
-std::vector<float> even_edges(const std::vector<float>& coverage, int width, int height) {
+std::vector<float> even_edges(const std::vector<float>& coverage, const std::vector<float>& film,
+                              int width, int height) {
   std::vector<float> even = coverage;
   const int inner = width - 2 * kEvenReach;
   std::vector<unsigned char> edge(static_cast<std::size_t>(std::max(0, inner)));
   for (int y = kEvenReach; y < height - kEvenReach; ++y) {
     const std::ptrdiff_t first = static_cast<std::ptrdiff_t>(y) * width + kEvenReach;
-    find_edge_row(coverage.data() + first, width, inner, edge.data());
+    find_edge_row(coverage.data() + first, film.data() + first, width, inner, edge.data());
     for (int x = 0; x < inner; ++x)
       if (edge[static_cast<std::size_t>(x)] != 0)
         even[static_cast<std::size_t>(first + x)] = even_cell(coverage.data() + first + x, width);

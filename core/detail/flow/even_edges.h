@@ -9,7 +9,9 @@ namespace pentimento {
 inline constexpr int kEvenReach = 10;
 
 /// Coverage of a plane of cells, f in [0, 1] with `width` cells a row; cells nearer than kEvenReach
-/// to its border stay as they are. At and beside the edges of a film that is wide enough
+/// to its border stay as they are. `film`: what the cells hold of the film that it is the coverage
+/// of, or of a pigment in; where one of the 3 x 3 cells around is bare of film, and the film is
+/// wide enough,
 ///   f' = min(1, max(e, mean of H(k) over |k| <= r, with weights r + 1 - |k|, less 2))
 ///   H(k): the film's cells on a line of five across the edge, two inside and two outside, k cells
 ///         further along the edge; the sum of f, from inside outward, as long as it does not rise
@@ -21,6 +23,7 @@ inline constexpr int kEvenReach = 10;
 /// to eight cells becomes a line through the middles of its steps. Scheme: the height functions of
 /// volume-of-fluid methods, averaged. Stable: bounded. Source: Cummins, Francois, Kothe, Computers
 /// & Structures 83 (2005) 425-434. Departs from it: the mean along the edge.
-std::vector<float> even_edges(const std::vector<float>& coverage, int width, int height);
+std::vector<float> even_edges(const std::vector<float>& coverage, const std::vector<float>& film,
+                              int width, int height);
 
 }  // namespace pentimento

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "core/base/kernel.h"
 #include "core/detail/flow/even_edges.h"
@@ -70,27 +71,44 @@ FilmSpline::FilmSpline(const Field<float>& plane, const CellBox& box)
       y0_(box.y0 - kAround),
       width_(box.width() + 2 * kAround),
       height_(box.height() + 2 * kAround) {
-  const std::size_t cells = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
-  // What the cells hold, and how full each is of film.
-  std::vector<float> held(cells);
-  std::size_t i = 0;
+  held_ = read(plane);
+  fit(plane, held_, held_);
+}
+
+FilmSpline::FilmSpline(const Field<float>& pigment, const FilmSpline& film)
+    : x0_(film.x0_), y0_(film.y0_), width_(film.width_), height_(film.height_) {
+  fit(pigment, read(pigment), film.held_);
+}
+
+/// What the cells hold.
+std::vector<float> FilmSpline::read(const Field<float>& plane) const {
+  std::vector<float> held;
+  held.reserve(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
   for (int y = y0_; y < y0_ + height_; ++y)
-    for (int x = x0_; x < x0_ + width_; ++x, ++i)
-      held[i] = plane(std::clamp(x, 0, plane.width() - 1), std::clamp(y, 0, plane.height() - 1));
+    for (int x = x0_; x < x0_ + width_; ++x)
+      held.push_back(
+          plane(std::clamp(x, 0, plane.width() - 1), std::clamp(y, 0, plane.height() - 1)));
+  return held;
+}
+
+/// `film`: what the cells hold of the film.
+void FilmSpline::fit(const Field<float>& plane, const std::vector<float>& held,
+                     const std::vector<float>& film) {
   fill_coverage(held, plane.width(), plane.height());
   // The contour comes as far as the cells at the edge need.
   const std::vector<float> mean = spline_means(held, width_, height_);
   for (int fit = 1; fit <= kFits; ++fit) fit_coverage(held, mean, fit * kTap);
-  // It is even along the edge, and leaves something of each cell.
-  coverage_ = even_edges(coverage_, width_, height_);
-  for (int pass = 1; pass <= kWidenings; ++pass) widen(held, kEven + pass * kTap);
+  // It is even along the film's edge, and leaves something of each cell there.
+  const std::vector<float> fitted = std::move(coverage_);
+  coverage_ = even_edges(fitted, film, width_, height_);
+  for (int pass = 1; pass <= kWidenings; ++pass) widen(held, film, kEven + pass * kTap);
   // The film is adjusted until the spline's means are what the cells hold.
   film_ = held;
   const std::vector<float> spread = spline_means(coverage_, width_, height_);
   const std::vector<std::size_t> edge = cells_where(
       kWidened, [&](std::size_t cell) { return held[cell] > 0 && spread[cell] < kWhole; });
   const std::vector<float> means = profile_means(edge);
-  std::vector<float> profile(cells, 1.0f);
+  std::vector<float> profile(held.size(), 1.0f);
   for (std::size_t e = 0; e < edge.size(); ++e) profile[edge[e]] = means[e];
   for (int pass = 1; pass <= kFilmPasses; ++pass)
     sharpen(held, profile, spread, kWidened + pass * kTap);
@@ -128,15 +146,26 @@ void FilmSpline::fit_coverage(const std::vector<float>& held, const std::vector<
 }
 
 /// One pass over the cells that are at least `margin` away from the border.
-void FilmSpline::widen(const std::vector<float>& held, int margin) {
-  const std::vector<std::size_t> thin =
-      cells_where(margin, [&](std::size_t i) { return held[i] > 0 && coverage_[i] < kMayBeThin; });
+void FilmSpline::widen(const std::vector<float>& held, const std::vector<float>& film, int margin) {
+  const std::vector<std::size_t> thin = cells_where(margin, [&](std::size_t i) {
+    return held[i] > 0 && coverage_[i] < kMayBeThin && bare_beside(film, i);
+  });
   const std::vector<float> profile = profile_means(thin);
   for (std::size_t e = 0; e < thin.size(); ++e) {
     const float lacks = kLeastShare / std::max(profile[e], kLeastProfile);
     const float factor = std::clamp(std::sqrt(lacks), 1.0f, 2.0f);
     coverage_[thin[e]] = std::min(coverage_[thin[e]] * factor, 1.0f);
   }
+}
+
+/// Whether one of the 3 x 3 cells around is bare.
+bool FilmSpline::bare_beside(const std::vector<float>& film, std::size_t cell) const {
+  for (int j = -1; j <= 1; ++j)
+    for (int i = -1; i <= 1; ++i) {
+      const std::ptrdiff_t beside = static_cast<std::ptrdiff_t>(cell) + j * width_ + i;
+      if (!(film[static_cast<std::size_t>(beside)] > 0)) return true;
+    }
+  return false;
 }
 
 /// The cells that are at least `margin` away from the border and for which holds(cell) is true.

@@ -14,8 +14,9 @@ namespace pentimento {
 /// For a plane d of the guide (depth or a pigment), per cell:
 ///   f: d / the largest d around, where one of the four cells beside it is bare; else 1, or 0 if
 ///      d = 0; then twice, where it is below 1, f <- f sqrt(d B(f) / (M B(d))), each factor in
-///      [1/2, 2], f at most 1; then evened along edges (even_edges.h); then twice, where M is below
-///      1/4 and f below 0.8, f <- f sqrt(1 / (4 M)), each factor at most 2, f at most 1;
+///      [1/2, 2], f at most 1; then evened along the film's edges (even_edges.h); then twice, where
+///      one of the 3 x 3 cells around is bare of film, M is below 1/4 and f below 0.8,
+///      f <- f sqrt(1 / (4 M)), each factor at most 2, f at most 1;
 ///   c: three times c <- c d / (M B(c) / B(f)), from c = d, each factor in [1/2, 2], c in
 ///      [d/4, 4d];
 ///      M: mean over the cell of the edge's profile m(W) (level_rows.h), W the spline of f;
@@ -33,7 +34,10 @@ namespace pentimento {
 class FilmSpline {
  public:
   static constexpr int kMargin = TileNeighbourhood::kMargin;  // cells with coefficients around it
-  FilmSpline(const Field<float>& plane, const CellBox& box);
+  /// Of the depth.
+  FilmSpline(const Field<float>& depth_m, const CellBox& box);
+  /// Of a pigment in the film. Its own edges inside the film stay as they were fitted.
+  FilmSpline(const Field<float>& pigment, const FilmSpline& film);
   /// f and c of a cell of the guide, at most kMargin outside the box. Cells beyond the canvas
   /// repeat the outermost cells.
   float coverage(int x, int y) const { return coverage_[at(x, y)]; }
@@ -48,11 +52,16 @@ class FilmSpline {
   std::vector<float> profile_means(const std::vector<std::size_t>& cells) const;
   void fill_coverage(const std::vector<float>& held, int canvas_width, int canvas_height);
   void fit_coverage(const std::vector<float>& held, const std::vector<float>& mean, int margin);
-  void widen(const std::vector<float>& held, int margin);
+  void fit(const Field<float>& plane, const std::vector<float>& held,
+           const std::vector<float>& film);
+  std::vector<float> read(const Field<float>& plane) const;
+  bool bare_beside(const std::vector<float>& film, std::size_t cell) const;
+  void widen(const std::vector<float>& held, const std::vector<float>& film, int margin);
   void sharpen(const std::vector<float>& held, const std::vector<float>& profile,
                const std::vector<float>& spread, int margin);
 
   int x0_, y0_, width_, height_;
+  std::vector<float> held_;  // of the depth; a pigment keeps none
   std::vector<float> coverage_, film_;
 };
 

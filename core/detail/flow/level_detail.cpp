@@ -115,7 +115,7 @@ class TileLeveller {
       relax_depth_row(fields(row), tile.base_m.data() + in_tile(tile, row), cells(), depth);
     }
     for (std::size_t p = 0; p < tile.pigment.size(); ++p)
-      if (tile.pigment[p]) carry(tile, p);
+      if (tile.pigment[p]) carry(tile, p, spline);
   }
 
   int cells() const { return box_.width() * canvas_.layout().factor(); }
@@ -150,10 +150,10 @@ class TileLeveller {
 
   /// Pigment goes with the depth that came or went. Near the pigment's own edge it relaxes as depth
   /// does.
-  void carry(DetailTile& tile, std::size_t plane) {
+  void carry(DetailTile& tile, std::size_t plane, const FilmSpline& film) {
     const Field<float>& amount = guide_.pigment[plane];
     smooth([&](int x, int y) { return amount(x, y); }, amount_);
-    const FilmSpline spline(amount, box_);
+    const FilmSpline spline(amount, film);
     smooth([&](int x, int y) { return spline.coverage(x, y); }, stain_);
     for (int row = 0; row < rows(); ++row) {
       const std::size_t i = at(row) * at(cells());

@@ -41,6 +41,11 @@ EdgePlane mirrored_edges(EdgePlane plane) {
   return plane;
 }
 
+/// Of a film whose coverage says where it is bare.
+EdgePlane evened(const EdgePlane& coverage) {
+  return even_edges(coverage, coverage, kEdgeSide, kEdgeSide);
+}
+
 /// A film on the left. Its edge slants: one cell to the right in `rows` rows. Cells are full or
 /// bare, but for `last`, the share of the outermost ones.
 EdgePlane staircase(int rows, float last) {
@@ -83,7 +88,7 @@ TEST(EvenEdges, AStaircaseBecomesALine) {
     // A step is half a cell off its line at both ends, but for half of a row.
     EXPECT_GT(unevenness(edge_reaches(stairs)), 0.2f) << rows;
     // The mean over two steps of eight rows leaves no more than a tenth.
-    EXPECT_LT(unevenness(edge_reaches(even_edges(stairs, kEdgeSide, kEdgeSide))), 0.1f) << rows;
+    EXPECT_LT(unevenness(edge_reaches(evened(stairs))), 0.1f) << rows;
   }
 }
 
@@ -91,8 +96,7 @@ TEST(EvenEdges, AStaircaseStaysWhereItIs) {
   // The line goes through the middles of the steps: what it takes at one end it gives at the other.
   for (const int rows : {2, 4, 7}) {
     const std::vector<float> before = edge_reaches(staircase(rows, 0.5f));
-    const std::vector<float> after =
-        edge_reaches(even_edges(staircase(rows, 0.5f), kEdgeSide, kEdgeSide));
+    const std::vector<float> after = edge_reaches(evened(staircase(rows, 0.5f)));
     double gain = 0;
     for (std::size_t i = 0; i < before.size(); ++i) gain += after[i] - before[i];
     // Two rows at each end see an unequal number of steps: a tenth of a cell each.
@@ -109,19 +113,19 @@ TEST(EvenEdges, StraightEdgesStay) {
     return x + y < 48 ? 1.0f : x + y == 48 ? 0.4f : 0.0f;
   });
   for (const EdgePlane& plane : {upright, turned_edges(upright), slanting}) {
-    const EdgePlane even = even_edges(plane, kEdgeSide, kEdgeSide);
+    const EdgePlane even = evened(plane);
     for (std::size_t i = 0; i < even.size(); ++i) EXPECT_NEAR(even[i], plane[i], 1e-6f) << i;
   }
 }
 
 TEST(EvenEdges, AllDirectionsAreAlike) {
-  EdgePlane stairs = staircase(5, 0.7f), even = even_edges(stairs, kEdgeSide, kEdgeSide);
+  EdgePlane stairs = staircase(5, 0.7f), even = evened(stairs);
   EXPECT_NE(even, stairs);
   for (int quarter = 0; quarter < 4; ++quarter) {
-    EXPECT_EQ(even_edges(turned_edges(stairs), kEdgeSide, kEdgeSide), turned_edges(even));
+    EXPECT_EQ(evened(turned_edges(stairs)), turned_edges(even));
     // Turned about the diagonal and mirrored: by a quarter.
     stairs = mirrored_edges(turned_edges(stairs)), even = mirrored_edges(turned_edges(even));
-    EXPECT_EQ(even_edges(stairs, kEdgeSide, kEdgeSide), even) << quarter;
+    EXPECT_EQ(evened(stairs), even) << quarter;
   }
 }
 
@@ -132,8 +136,8 @@ TEST(EvenEdges, OnlyEdgesChange) {
   EdgePlane two = one;
   for (int y = 0; y < kEdgeSide; ++y)
     for (int x = 16 + y / 6 + 3; x < kEdgeSide; ++x) edge_cell(two, x, y) = 1;
-  const EdgePlane even_one = even_edges(one, kEdgeSide, kEdgeSide);
-  EdgePlane even_two = even_edges(two, kEdgeSide, kEdgeSide), expected = two;
+  const EdgePlane even_one = evened(one);
+  EdgePlane even_two = evened(two), expected = two;
   for (int y = kEvenReach; y < kEnd; ++y) {
     const int end = 16 + y / 6;
     edge_cell(expected, end, y) = even_one[static_cast<std::size_t>(y * kEdgeSide + end)];
@@ -141,6 +145,19 @@ TEST(EvenEdges, OnlyEdgesChange) {
     for (int x = end + 1; x <= end + 4; ++x) edge_cell(expected, x, y) = edge_cell(even_two, x, y);
   }
   EXPECT_EQ(even_two, expected);
+}
+
+TEST(EvenEdges, APigmentsEdgeInsideTheFilmStays) {
+  EdgePlane stairs = staircase(6, 0.5f), film(stairs.size(), 1.0f);
+  EXPECT_EQ(even_edges(stairs, film, kEdgeSide, kEdgeSide), stairs);
+  // Where the film ends with it, it is evened as the film is.
+  for (int y = 24; y < kEdgeSide; ++y)
+    for (int x = 17 + y / 6; x < kEdgeSide; ++x) edge_cell(film, x, y) = 0;
+  EdgePlane some = even_edges(stairs, film, kEdgeSide, kEdgeSide), all = evened(stairs);
+  EXPECT_NE(edge_cell(all, 19, 20), edge_cell(stairs, 19, 20));
+  EXPECT_EQ(edge_cell(some, 19, 20), edge_cell(stairs, 19, 20));
+  EXPECT_NE(edge_cell(all, 20, 26), edge_cell(stairs, 20, 26));
+  EXPECT_EQ(edge_cell(some, 20, 26), edge_cell(all, 20, 26));
 }
 
 TEST(EvenEdges, NarrowFilmsStay) {
@@ -151,7 +168,7 @@ TEST(EvenEdges, NarrowFilmsStay) {
       return from_middle == 0 ? 1.0f : from_middle == 1 ? 0.5f : 0.0f;
     });
     edge_cell(narrow, 14, 30) = 1;  // and a speck
-    EXPECT_EQ(even_edges(narrow, kEdgeSide, kEdgeSide), narrow) << rows;
+    EXPECT_EQ(evened(narrow), narrow) << rows;
   }
 }
 
@@ -161,12 +178,12 @@ TEST(EvenEdges, GroovesAndStripsStay) {
   for (const int rows : {1, 2, 3, 5}) {
     const EdgePlane groove =
         make_edge_plane([&](int x, int y) { return x == 16 + y / rows ? 0.3f : 1.0f; });
-    EXPECT_EQ(even_edges(groove, kEdgeSide, kEdgeSide), groove) << rows;
+    EXPECT_EQ(evened(groove), groove) << rows;
     const EdgePlane strip = make_edge_plane([&](int x, int y) {
       const int from_first = x - 16 - y / rows;
       return from_first == 0 || from_first == 3 ? 0.0f : 1.0f;
     });
-    EXPECT_EQ(even_edges(strip, kEdgeSide, kEdgeSide), strip) << rows;
+    EXPECT_EQ(evened(strip), strip) << rows;
   }
 }
 
@@ -178,7 +195,7 @@ TEST(EvenEdges, AFoldOfAnEdgeStays) {
     const float end = 20.5f + static_cast<float>(std::abs(y - 24)) / 3;
     return std::clamp(end - static_cast<float>(x), 0.0f, 1.0f);
   });
-  EdgePlane even = even_edges(fold, kEdgeSide, kEdgeSide);
+  EdgePlane even = evened(fold);
   EXPECT_NEAR(edge_cell(even, 20, 24), 0.5f + 0.417f, 1e-3f);  // the mean of 0, 1, 2 and 3 thirds
   EXPECT_EQ(edge_cell(even, 21, 24), 0);
 }
@@ -187,7 +204,7 @@ TEST(EvenEdges, WetCellsStayInside) {
   // A spur of one cell at a straight edge: the line takes it away, but for a tenth.
   EdgePlane spur = make_edge_plane([](int x, int) { return x < 20 ? 1.0f : 0.0f; });
   edge_cell(spur, 20, 24) = 0.5f;
-  EdgePlane even = even_edges(spur, kEdgeSide, kEdgeSide);
+  EdgePlane even = evened(spur);
   EXPECT_EQ(edge_cell(even, 20, 24), 0.1f);
   EXPECT_LT(edge_cell(even, 20, 25), 0.06f);  // an eighth of the spur, at most
 }
@@ -199,7 +216,7 @@ TEST(EvenEdges, ARoundFilmStaysRound) {
       const float r = std::hypot(static_cast<float>(x) - 23.5f, static_cast<float>(y) - 23.5f);
       return std::clamp(radius - r, 0.0f, 1.0f);
     });
-    const EdgePlane even = even_edges(disc, kEdgeSide, kEdgeSide);
+    const EdgePlane even = evened(disc);
     double lost = 0;
     for (std::size_t i = 0; i < disc.size(); ++i) lost += disc[i] - even[i];
     EXPECT_NEAR(lost / (2 * 3.14159 * radius), 0, 0.1) << radius;
