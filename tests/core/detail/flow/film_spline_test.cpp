@@ -14,25 +14,40 @@ namespace {
 constexpr int kSide = 32, kFactor = 8;
 constexpr CellBox kBox = {8, 24, 8, 24};
 
+constexpr int kFineSide = 16 * kFactor;  // fine cells along each side of the box
+
+/// The cubic spline with a value for each of the guide's cells, at the fine cells of the box.
+template <typename ValueAt>
+std::vector<float> fine_spline(const ValueAt& value_at) {
+  TileNeighbourhood around(kBox, kSide, kSide);
+  around.fill(value_at);
+  std::vector<float> fine(static_cast<std::size_t>(kFineSide * kFineSide));
+  around.smooth(kFactor, fine.data(), kFineSide);
+  return fine;
+}
+
+std::vector<float> fine_coverage(const FilmSpline& spline) {
+  return fine_spline([&](int x, int y) { return spline.coverage(x, y); });
+}
+
+/// Means over the guide's cells.
+Field<float> block_averages(const std::vector<float>& fine) {
+  Field<float> mean(kBox.width(), kBox.height());
+  for (int y = 0; y < kFineSide; ++y)
+    for (int x = 0; x < kFineSide; ++x)
+      mean(x / kFactor, y / kFactor) +=
+          fine[static_cast<std::size_t>(y * kFineSide + x)] / (kFactor * kFactor);
+  return mean;
+}
+
 /// Block means of m(W) S over the box.
 Field<float> film_means(const Field<float>& plane) {
   const FilmSpline spline(plane, kBox);
-  TileNeighbourhood fill(kBox, kSide, kSide), film(kBox, kSide, kSide);
-  fill.fill([&](int x, int y) { return spline.coverage(x, y); });
-  film.fill([&](int x, int y) { return spline.film(x, y); });
-  const int cells = kBox.width() * kFactor;
-  std::vector<float> wet(static_cast<std::size_t>(cells * cells)), depth = wet;
-  fill.smooth(kFactor, wet.data(), cells);
-  film.smooth(kFactor, depth.data(), cells);
-  Field<float> mean(kBox.width(), kBox.height());
-  for (int y = 0; y < cells; ++y)
-    for (int x = 0; x < cells; ++x) {
-      const std::size_t i = static_cast<std::size_t>(y * cells + x);
-      if (wet[i] > 0)
-        mean(x / kFactor, y / kFactor) +=
-            edge_profile(wet[i]) * depth[i] / wet[i] / (kFactor * kFactor);
-    }
-  return mean;
+  const std::vector<float> wet = fine_coverage(spline);
+  std::vector<float> depth = fine_spline([&](int x, int y) { return spline.film(x, y); });
+  for (std::size_t i = 0; i < wet.size(); ++i)
+    depth[i] = wet[i] > 0 ? edge_profile(wet[i]) * depth[i] / wet[i] : 0.0f;
+  return block_averages(depth);
 }
 
 float worst_of(const Field<float>& plane) {
@@ -130,18 +145,14 @@ TEST(FilmSpline, TheSideOfASlantingDripIsALine) {
       const int inside = std::min(x - (8 + y / kRows), 8 + y / kRows + kWidth - 1 - x);
       plane(x, y) = inside < 0 ? 0 : inside == 0 ? 0.0004f : inside == 1 ? 0.001f : 0.0016f;
     }
-  const FilmSpline spline(plane, kBox);
-  TileNeighbourhood fill(kBox, kSide, kSide);
-  fill.fill([&](int x, int y) { return spline.coverage(x, y); });
-  const int cells = kBox.width() * kFactor;
-  std::vector<float> wet(static_cast<std::size_t>(cells * cells));
-  fill.smooth(kFactor, wet.data(), cells);
+  const std::vector<float> wet = fine_coverage(FilmSpline(plane, kBox));
   float least = kSide, most = -kSide;
-  for (int y = 0; y < cells; ++y) {
+  for (int y = 0; y < kFineSide; ++y) {
     // Fine cells of this row that the film covers right of the drip's middle, and are not bare.
     const int row = kBox.y0 + y / kFactor, middle = 8 + row / kRows + kWidth / 2;
     int end = (middle - kBox.x0) * kFactor;
-    while (end < cells && edge_profile(wet[static_cast<std::size_t>(y * cells + end)]) > 0.5f &&
+    while (end < kFineSide &&
+           edge_profile(wet[static_cast<std::size_t>(y * kFineSide + end)]) > 0.5f &&
            plane(kBox.x0 + end / kFactor, row) > 0)
       ++end;
     const float line = (static_cast<float>(y) + 0.5f) / (kFactor * kRows);
@@ -157,17 +168,9 @@ TEST(FilmSpline, CornersOfStepsHaveSomeOfTheFilm) {
   Field<float> plane(kSide, kSide);
   for (int y = 0; y < kSide; ++y)
     for (int x = 0; x < 16 + y / 7; ++x) plane(x, y) = x == 15 + y / 7 ? 0.0002f : 0.0015f;
-  const FilmSpline spline(plane, kBox);
-  TileNeighbourhood fill(kBox, kSide, kSide);
-  fill.fill([&](int x, int y) { return spline.coverage(x, y); });
-  const int cells = kBox.width() * kFactor;
-  std::vector<float> wet(static_cast<std::size_t>(cells * cells));
-  fill.smooth(kFactor, wet.data(), cells);
-  Field<float> share(kBox.width(), kBox.height());
-  for (int y = 0; y < cells; ++y)
-    for (int x = 0; x < cells; ++x)
-      share(x / kFactor, y / kFactor) +=
-          edge_profile(wet[static_cast<std::size_t>(y * cells + x)]) / (kFactor * kFactor);
+  std::vector<float> inside = fine_coverage(FilmSpline(plane, kBox));
+  for (float& wet : inside) wet = edge_profile(wet);
+  const Field<float> share = block_averages(inside);
   for (int y = kBox.y0; y < kBox.y1; ++y)
     for (int x = kBox.x0; x < kBox.x1; ++x)
       if (plane(x, y) > 0) {
