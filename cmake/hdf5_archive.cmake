@@ -7,9 +7,20 @@ find_library(SZIP_FILE NAMES sz NO_CACHE)
 # link_hdf5_archive(PROGRAM): the program gets HDF5 out of its archive, and not the shared library, where there
 # is an archive.
 function(link_hdf5_archive program)
-  if(NOT HDF5_ARCHIVE_FILE OR NOT SZIP_FILE)
-    return()
+  if(HDF5_ARCHIVE_FILE AND SZIP_FILE)
+    set_target_properties(${program} PROPERTIES HDF5_ARCHIVE ON)
   endif()
-  set_target_properties(${program} PROPERTIES HDF5_ARCHIVE ON)  # formats asks for it
-  target_link_libraries(${program} PRIVATE ${HDF5_ARCHIVE_FILE} ${SZIP_FILE} ZLIB::ZLIB ${CMAKE_DL_LIBS} m)
+endfunction()
+
+# link_hdf5(LIBRARY): what a static library that calls HDF5 asks of the program that is linked. The archive comes after
+# the library on the linker's line, or it would be searched before anything of it is missed.
+function(link_hdf5 library)
+  set(has_archive $<BOOL:$<TARGET_PROPERTY:HDF5_ARCHIVE>>)
+  target_include_directories(${library} PRIVATE ${HDF5_INCLUDE_DIRS})
+  target_link_libraries(${library} PRIVATE $<$<NOT:${has_archive}>:PkgConfig::HDF5>)
+  if(HDF5_ARCHIVE_FILE AND SZIP_FILE)
+    foreach(part ${HDF5_ARCHIVE_FILE} ${SZIP_FILE} ZLIB::ZLIB ${CMAKE_DL_LIBS} m)
+      target_link_libraries(${library} PRIVATE $<BUILD_INTERFACE:$<${has_archive}:${part}>>)
+    endforeach()
+  endif()
 endfunction()
