@@ -47,14 +47,15 @@ void find_fill_row(const float* cell, std::ptrdiff_t row, int n, float* __restri
   }
 }
 
-/// B: means along the rows, then along the columns. Cells nearer than kTap to the border stay as
-/// they are.
-std::vector<float> spline_means(const std::vector<float>& value, int width, int height) {
+/// B: means along the rows, then along the columns, of the cells that are at least `margin` away
+/// from the border, margin >= kTap. Others stay as they are.
+std::vector<float> spline_means(const std::vector<float>& value, int width, int height,
+                                int margin) {
   constexpr std::array<float, 3> kWeight = {230.0f / 384, 76.0f / 384, 1.0f / 384};
-  const auto blur = [&](const std::vector<float>& in, std::ptrdiff_t step, int x0, int y0) {
+  const auto blur = [&](const std::vector<float>& in, std::ptrdiff_t step, int y0) {
     std::vector<float> out = in;
     for (int y = y0; y < height - y0; ++y)
-      for (int x = x0; x < width - x0; ++x) {
+      for (int x = margin; x < width - margin; ++x) {
         const float* v = in.data() + static_cast<std::ptrdiff_t>(y) * width + x;
         out[static_cast<std::size_t>(y * width + x)] = kWeight[0] * v[0] +
                                                        kWeight[1] * (v[-step] + v[step]) +
@@ -62,7 +63,7 @@ std::vector<float> spline_means(const std::vector<float>& value, int width, int 
       }
     return out;
   };
-  return blur(blur(value, 1, kTap, 0), width, 0, kTap);
+  return blur(blur(value, 1, margin - kTap), width, margin);
 }
 }  // namespace
 
@@ -95,18 +96,12 @@ std::vector<float> FilmSpline::read(const Field<float>& plane) const {
 void FilmSpline::fit(const Field<float>& plane, const std::vector<float>& held,
                      const std::vector<float>& film) {
   fill_coverage(held, plane.width(), plane.height());
-  // The contour comes as far as the cells at the edge need.
-  const std::vector<float> mean = spline_means(held, width_, height_);
-  for (int fit = 1; fit <= kFits; ++fit) fit_coverage(held, mean, fit * kTap);
-  // It is even along the film's edge, and leaves something of each cell there.
-  const std::vector<float> fitted = std::move(coverage_);
-  coverage_ = even_edges(fitted, film, width_, height_);
-  for (int pass = 1; pass <= kWidenings; ++pass) widen(held, film, kEven + pass * kTap);
+  fit_contour(held, film);
   // The film is adjusted until the spline's means are what the cells hold.
   film_ = held;
-  const std::vector<float> spread = spline_means(coverage_, width_, height_);
+  const std::vector<float> spread = spline_means(coverage_, width_, height_, kWidened + kTap);
   const std::vector<std::size_t> edge = cells_where(
-      kWidened, [&](std::size_t cell) { return held[cell] > 0 && spread[cell] < kWhole; });
+      kWidened + kTap, [&](std::size_t cell) { return held[cell] > 0 && spread[cell] < kWhole; });
   const std::vector<float> means = profile_means(edge);
   std::vector<float> profile(held.size(), 1.0f);
   for (std::size_t e = 0; e < edge.size(); ++e) profile[edge[e]] = means[e];
@@ -114,7 +109,22 @@ void FilmSpline::fit(const Field<float>& plane, const std::vector<float>& held,
     sharpen(held, profile, spread, kWidened + pass * kTap);
 }
 
-/// f before it is fitted. The outermost cells lack neighbours and stay bare.
+/// f from what the cells hold.
+void FilmSpline::fit_contour(const std::vector<float>& held, const std::vector<float>& film) {
+  // Inside a film, and far from any, there is no contour.
+  const auto [least, most] = std::minmax_element(coverage_.begin(), coverage_.end());
+  if (*least == 1 || *most == 0) return;
+  // The contour comes as far as the cells at the edge need.
+  const std::vector<float> mean = spline_means(held, width_, height_, kTap);
+  for (int fit = 1; fit <= kFits; ++fit) fit_coverage(held, mean, fit * kTap);
+  // It is even along the film's edge, and leaves something of each cell there.
+  const std::vector<float> fitted = std::move(coverage_);
+  coverage_ = even_edges(fitted, film, width_, height_);
+  for (int pass = 1; pass <= kWidenings; ++pass) widen(held, film, kEven + pass * kTap);
+}
+
+/// f before it is fitted. The outermost cells lack neighbours and have the same as those inside
+/// them.
 void FilmSpline::fill_coverage(const std::vector<float>& held, int canvas_width,
                                int canvas_height) {
   coverage_.assign(held.size(), 0.0f);
@@ -122,10 +132,13 @@ void FilmSpline::fill_coverage(const std::vector<float>& held, int canvas_width,
     const std::ptrdiff_t first = static_cast<std::ptrdiff_t>(y) * width_ + 1;
     find_fill_row(held.data() + first, width_, width_ - 2, coverage_.data() + first);
   }
-  // Beyond the canvas the outermost cells are repeated.
+  // So have cells beyond the canvas, which repeat the outermost cells of it.
   for (int y = y0_; y < y0_ + height_; ++y)
     for (int x = x0_; x < x0_ + width_; ++x) {
-      const int px = std::clamp(x, 0, canvas_width - 1), py = std::clamp(y, 0, canvas_height - 1);
+      const int px =
+          std::clamp(x, std::max(0, x0_ + 1), std::min(canvas_width, x0_ + width_ - 1) - 1);
+      const int py =
+          std::clamp(y, std::max(0, y0_ + 1), std::min(canvas_height, y0_ + height_ - 1) - 1);
       if (px != x || py != y) coverage_[at(x, y)] = coverage_[at(px, py)];
     }
 }
@@ -133,7 +146,7 @@ void FilmSpline::fill_coverage(const std::vector<float>& held, int canvas_width,
 /// One pass over the cells that are at least `margin` away from the border. `mean`: B(d).
 void FilmSpline::fit_coverage(const std::vector<float>& held, const std::vector<float>& mean,
                               int margin) {
-  const std::vector<float> spread = spline_means(coverage_, width_, height_);
+  const std::vector<float> spread = spline_means(coverage_, width_, height_, margin);
   const std::vector<std::size_t> edge =
       cells_where(margin, [&](std::size_t i) { return held[i] > 0 && coverage_[i] < 1; });
   const std::vector<float> profile = profile_means(edge);
@@ -201,7 +214,7 @@ std::vector<float> FilmSpline::profile_means(const std::vector<std::size_t>& cel
 /// One pass over the cells that are at least `margin` away from the border.
 void FilmSpline::sharpen(const std::vector<float>& held, const std::vector<float>& profile,
                          const std::vector<float>& spread, int margin) {
-  const std::vector<float> mean = spline_means(film_, width_, height_);
+  const std::vector<float> mean = spline_means(film_, width_, height_, margin);
   for (int y = margin; y < height_ - margin; ++y)
     for (int x = margin; x < width_ - margin; ++x) {
       const std::size_t i = static_cast<std::size_t>(y * width_ + x);

@@ -51,6 +51,7 @@ class FilmSpline {
   std::vector<std::size_t> cells_where(int margin, const Holds& holds) const;
   std::vector<float> profile_means(const std::vector<std::size_t>& cells) const;
   void fill_coverage(const std::vector<float>& held, int canvas_width, int canvas_height);
+  void fit_contour(const std::vector<float>& held, const std::vector<float>& film);
   void fit_coverage(const std::vector<float>& held, const std::vector<float>& mean, int margin);
   void fit(const Field<float>& plane, const std::vector<float>& held,
            const std::vector<float>& film);
