@@ -12,9 +12,10 @@ namespace pentimento {
 namespace {
 constexpr int kAcross = 2;                    // cells of a line on each side of its middle
 constexpr int kAlong = kEvenReach - kAcross;  // lines on each side that the mean may take in
-constexpr float kMostBend = 1;                // square cells
-constexpr float kLeastFall =
-    5;  // cells; a straight edge along an axis has 15, one at 45 degrees 10
+// Square cells: three lines at an edge that folds by a third of a cell a line.
+constexpr float kMostBend = 1;
+// Cells: a straight edge along an axis has 15, one at 45 degrees 10, a groove less than 5.
+constexpr float kLeastFall = 5;
 constexpr float kLeastCoverage = 0.1f;  // keeps what is wet inside the contour
 
 /// Directions at an edge, as offsets in the plane.
@@ -83,6 +84,7 @@ float mean_covered(const float* cell, const EdgeFrame& frame, float here) {
   for (int k = 1; k <= reach; ++k) sum += static_cast<float>(reach + 1 - k) * pair[k];
   return here + sum / static_cast<float>((reach + 1) * (reach + 1));
 }
+
 /// f' of a cell.
 float even_cell(const float* cell, std::ptrdiff_t row) {
   const std::optional<EdgeFrame> frame = frame_at(cell, row);

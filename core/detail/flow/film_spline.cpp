@@ -22,7 +22,7 @@ constexpr int kEven = kFits * kTap + kEvenReach;     // cells from the border th
 constexpr int kWidened = kEven + kWidenings * kTap;  // and wide enough
 constexpr int kAround = FilmSpline::kMargin + kWidened + kFilmPasses * kTap + 1;
 constexpr float kLeastProfile = 1e-3f;  // keeps a cell outside the contour from dividing by 0
-constexpr float kMayBeThin = 0.8f;      // coverage; M is more than the least share above it
+constexpr float kMayBeThin = 0.8f;      // coverage; fuller cells reach far enough out
 constexpr float kLeastShare = 0.25f;    // of a wet cell that lies inside the contour
 constexpr float kMost = 4;              // the film stays within a quarter and four times the depth
 // Where B(f) is more than this, no point of the cell has W below 0.99 and M is 1: even the corners

@@ -29,8 +29,8 @@ namespace pentimento {
 /// back by what the first cells of a step have no paint for.
 /// Scheme: multiplicative deconvolution (Richardson, J. Opt. Soc. Am. 62 (1972) 55-59; Lucy 1974),
 /// without the second blur. Stable: positive, bounded. Departs from it: M is taken out of the mean
-/// of the product. Depends on d within 27 cells, and on nothing else: neighbouring boxes agree
-/// where they meet.
+/// of the product. Depends on d within 27 cells, and for a pigment on the depth there, and on
+/// nothing else: neighbouring boxes agree where they meet.
 class FilmSpline {
  public:
   static constexpr int kMargin = TileNeighbourhood::kMargin;  // cells with coefficients around it

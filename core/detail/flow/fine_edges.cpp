@@ -16,6 +16,7 @@ float slope_at(std::span<const float> guide, std::size_t edge) {
   if (edge == 0 || edge + 1 == guide.size()) return 0;
   return conservative::limited_mc(guide[edge] - guide[edge - 1], guide[edge + 1] - guide[edge]);
 }
+
 /// Places the edges of a block, from its first fine cell on.
 PENTIMENTO_KERNEL
 void place_block(float low, float rise, float slope_low, float slope_high, int first, int factor,

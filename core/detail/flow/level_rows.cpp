@@ -5,9 +5,9 @@
 namespace pentimento {
 
 namespace {
-constexpr float kStainLow = 0.35f,
-                kStainRise = 0.4f;  // where a pigment's profile rises, and how far
-constexpr float kEdgeReach = 4;     // pigment relaxes where its coverage is below 1, fully at 3/4
+// Where a pigment's profile rises, and how far.
+constexpr float kStainLow = 0.35f, kStainRise = 0.4f;
+constexpr float kEdgeReach = 4;  // pigment relaxes where its coverage is below 1, fully at 3/4
 
 /// a / b where b > 0, else 0, without a branch.
 inline __attribute__((always_inline)) float share(float a, float b) {
