@@ -19,7 +19,7 @@ constexpr std::size_t kStackBytes = std::size_t{4} << 20;
 constexpr std::int64_t kPiecesPerThread = 8;
 // How often a worker offers its core before it sleeps: loops follow one another within
 // microseconds, and to be woken takes some ten of them.
-constexpr int kYields = 100;
+constexpr int kYields = 1000;
 
 // The state: how many workers are inside of the loop, whether it is open, and which loop it is.
 constexpr std::uint32_t kInside = 0xfff;
@@ -70,7 +70,7 @@ void WorkerPool::work() {
   for (;;) {
     if (ending_.load(std::memory_order_acquire)) return;
     if (enter(seen)) {
-      take_ranges();
+      take_ranges(next_.fetch_add(loop_.piece, std::memory_order_relaxed));
       leave();
       yields = 0;
     } else if (yields < kYields) {
@@ -102,11 +102,9 @@ void WorkerPool::leave() {
   left_.notify_one();
 }
 
-void WorkerPool::take_ranges() noexcept {
+void WorkerPool::take_ranges(std::int64_t from) noexcept {
   try {
-    for (;;) {
-      const std::int64_t from = next_.fetch_add(loop_.piece, std::memory_order_relaxed);
-      if (from >= loop_.end) return;
+    for (; from < loop_.end; from = next_.fetch_add(loop_.piece, std::memory_order_relaxed)) {
       (*loop_.body)(static_cast<int>(from),
                     static_cast<int>(std::min(loop_.end, from + loop_.piece)));
     }
@@ -143,9 +141,9 @@ void WorkerPool::share(int begin, int end, int grain_size,
   const std::int64_t length = std::int64_t{end} - begin;
   const std::int64_t pieces = kPiecesPerThread * (workers() + 1);
   loop_ = {&body, end, std::max<std::int64_t>(grain_size, (length + pieces - 1) / pieces)};
-  next_.store(begin, std::memory_order_relaxed);
+  next_.store(begin + loop_.piece, std::memory_order_relaxed);
   open_loop();
-  take_ranges();
+  take_ranges(begin);
   close_loop();
   busy_.store(false);
   if (thrown_.exchange(false)) std::rethrow_exception(std::exchange(problem_, nullptr));

@@ -23,9 +23,9 @@ class WorkerPool {
   int workers() const { return static_cast<int>(threads_.size()); }
 
   /// Calls body(from, to) on disjoint ranges that cover [begin, end), each of at least `grain_size`
-  /// but the last, and returns when all are done. A loop inside of a loop, and a loop in a process
-  /// that was forked off, is done by its caller alone. What `body` throws is thrown here; then some
-  /// ranges may be left out.
+  /// but the last, and returns when all are done. The first range is the caller's. A loop inside of
+  /// a loop, and a loop in a process that was forked off, is done by its caller alone. What `body`
+  /// throws is thrown here; then some ranges may be left out.
   void share(int begin, int end, int grain_size, const std::function<void(int, int)>& body);
 
  private:
@@ -33,7 +33,7 @@ class WorkerPool {
   void work();
   bool enter(std::uint32_t& seen);
   void leave();
-  void take_ranges() noexcept;
+  void take_ranges(std::int64_t from) noexcept;
   void open_loop();
   void close_loop();
 

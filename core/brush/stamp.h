@@ -25,6 +25,7 @@ struct Stamp {
                          // (0,0) while it travels
   float travel_m = 0;    // arc length this stamp stands for, >= 0
   Vec2f velocity_m_s;    // of the brush, y down
+  friend bool operator==(const Stamp&, const Stamp&) = default;
 };
 
 /// 0..1; a device that has no pressure presses fully.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/scratch.h"
+#include "core/brush/edge_cells.h"
 #include "core/brush/stamp_shares.h"
 
 namespace pentimento {
@@ -35,6 +36,10 @@ constexpr float kLeastRelief_m = 2e-5f;  // deviation of a ground that has hollo
 
 constexpr int kRowsPerTask = 8, kBandsPerTask = 4;
 constexpr int kCellsWorthThreads = 3000;  // some 0.2 ms of work; handing out rows costs 10 us
+
+bool shares_rows(const FootprintBox& box) {
+  return box.width * box.height >= kCellsWorthThreads;
+}
 
 /// 1 for a slow stroke, more for a fast one, which passes over the hollows.
 float speed_factor(const Stamp& stamp) {
@@ -83,24 +88,60 @@ Transfer::Transfer(CanvasState& state, BrushContact& contact, PaintAccount& acco
       cells_(state, amount),
       parts_(1 + static_cast<std::size_t>(state.channels)),
       threads_(threads),
+      tips_{DrawnTip(state.geometry), DrawnTip(state.geometry)},
       paint_sum_(parts_, 0.0) {}
 
-void Transfer::apply(const Stamp& stamp, const BrushInHand& hand, const Model& model,
-                     Reservoir& reservoir) {
+void Transfer::forget_tip() {
+  for (DrawnTip& tip : tips_) tip.forget();
+}
+
+void Transfer::apply(const Stamp& stamp, const Stamp* next, const BrushInHand& hand,
+                     const Model& model, Reservoir& reservoir) {
   if (!(hand.tip.mean() > 0) || !(stamp.travel_m >= 0)) return;
   // Where the tip is, and how strongly it acts: all that is the same for every cell.
   StampPlan plan;
-  place(stamp, hand, reservoir, plan);
+  place(stamp, hand, reservoir.density_frac, plan);
   if (plan.box.empty()) return;
+  plan.reservoir = &reservoir;
+  plan.stride = reservoir.stride();
   set_rates(stamp, hand, model, reservoir, plan);
   prepare(plan.box);
-  footprint_.draw_cells(plan, cell_size_m(state_.geometry));
-  passed_ = passed_shares(plan, state_.geometry);
-  if (plan.scrape_frac > 0) ends_ = blade_ends(hand.tip, plan.pose, state_.geometry);
 
-  // What lies under the tip; from that, how far down the bristles reach.
+  // What lies under the tip; from that, how far down the bristles reach, and how dry they get.
+  is_drawn_ = tip().is_of(plan);
+  if (is_drawn_) ++drawn_ahead_;
+  if (!is_drawn_) tips_[now_].begin(plan, hand.brush.scrapes);
   for_parts(plan, plan.box.height, kRowsPerTask, &Transfer::measure_rows);
   find_heights(hand, plan);
+  const BrushDryness dryness = find_dryness(plan, hand, reservoir);
+
+  // The rest, and beside it the tip of the next stamp, which needs the dryness alone.
+  StampPlan after;
+  if (next != nullptr && may_draw_ahead(plan)) place(*next, hand, dryness.density_frac, after);
+  if (after.box.empty()) return exchange(plan, hand, dryness, reservoir);
+  const auto exchange_or_draw = [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) {
+      if (i == 0) {
+        exchange(plan, hand, dryness, reservoir);
+      } else {
+        tips_[1 - now_].draw(after, hand.brush.scrapes);
+      }
+    }
+  };
+  // One reference is captured, so that the function object needs no memory of its own.
+  threads_.for_ranges(0, 2, 1,
+                      [&exchange_or_draw](int begin, int end) { exchange_or_draw(begin, end); });
+  now_ = 1 - now_;
+}
+
+/// A stamp that shares its rows has work for all threads, and a listener has some of its own.
+bool Transfer::may_draw_ahead(const StampPlan& plan) const {
+  return threads_.count() > 1 && listener_ == nullptr && !shares_rows(plan.box);
+}
+
+/// Paint goes from the canvas to the brush and from the brush to the canvas.
+void Transfer::exchange(StampPlan& plan, const BrushInHand& hand, const BrushDryness& dryness,
+                        Reservoir& reservoir) {
   // The canvas gives paint to the brush (R23), the palette refills it (R22).
   find_places(plan);
   for_bands(plan, &Transfer::pick_up_bands);
@@ -116,11 +157,11 @@ void Transfer::apply(const Stamp& stamp, const BrushInHand& hand, const Model& m
   for_parts(plan, plan.box.height, kRowsPerTask, &Transfer::touch_rows);
   if (listener_ != nullptr) listener_->after_deposit(plan, state_);
   // The brush loses its surplus and dries (R24).
-  return_surplus(plan, hand, reservoir);
+  return_surplus(plan, hand, dryness, reservoir);
 }
 
 /// Where the stamp lies and what it is made of.
-void Transfer::place(const Stamp& stamp, const BrushInHand& hand, const Reservoir& reservoir,
+void Transfer::place(const Stamp& stamp, const BrushInHand& hand, float density_frac,
                      StampPlan& plan) const {
   plan.pose = pose_on(state_.geometry, stamp, hand.brush);
   plan.extent = hand.tip.extent();
@@ -128,10 +169,8 @@ void Transfer::place(const Stamp& stamp, const BrushInHand& hand, const Reservoi
   plan.stamp = stamp;
   plan.tip = &hand.tip;
   plan.load = &hand.load;
-  plan.reservoir = &reservoir;
-  plan.stride = reservoir.stride();
   plan.state = {hand.brush.splay_at(pressure_of(stamp)) / std::sqrt(speed_factor(stamp)),
-                reservoir.density_frac};
+                density_frac};
   plan.mean = hand.tip.mean(plan.state.press);
   plan.stroke_id = hand.stroke_id;
 }
@@ -231,12 +270,9 @@ bool Transfer::find_share_scale(StampPlan& plan) const {
 
 void Transfer::prepare(const FootprintBox& box) {
   const std::size_t rows = static_cast<std::size_t>(box.height);
-  grow(value_, static_cast<std::size_t>(box.width) * rows);
   grow(passed_m_, static_cast<std::size_t>(box.width) * rows);
   grow(row_, rows);
-  grow(span_, rows);
   grow(touched_, rows);
-  grow(tip_row_, rows);
   contact_.touch(box.x, box.x + box.width, box.y, box.y + box.height);
 }
 
@@ -258,7 +294,7 @@ void Transfer::find_places(const StampPlan& plan) {
 }
 
 void Transfer::for_parts(const StampPlan& plan, int count, int part, Pass pass) {
-  if (plan.box.width * plan.box.height < kCellsWorthThreads || threads_.count() == 1) {
+  if (!shares_rows(plan.box) || threads_.count() == 1) {
     (this->*pass)(plan, 0, count);
     return;
   }
@@ -277,25 +313,20 @@ void Transfer::for_bands(const StampPlan& plan, Pass pass) {
   for_parts(plan, static_cast<int>(cells_.bands().size()), kBandsPerTask, pass);
 }
 
-/// Measures the tip's value in each cell, and the heights of the canvas under the tip.
+/// Draws the rows of the tip, unless they have been drawn, and measures the heights of the canvas
+/// under it.
 void Transfer::measure_rows(const StampPlan& plan, int begin, int end) {
   for (int y = begin; y < end; ++y) {
+    if (!is_drawn_) tips_[now_].draw_row(y);
+    const DrawnTipRow& drawn = tip().row(y);
     const int canvas_y = plan.box.y + y;
-    const TipRow tip = tip_row(plan.pose, plan.box, state_.geometry, canvas_y);
-    const TipFootprint::CellSpan span = footprint_.touched_span(tip, 0, plan.box.width);
-    float* value_at = value_.data() + static_cast<std::ptrdiff_t>(y) * plan.box.width;
-    footprint_.row(tip, span.begin,
-                   {value_at + span.begin, static_cast<std::size_t>(span.end - span.begin)});
     const float* base = state_.base_m.row(canvas_y) + plan.box.x;
     const float* depth = state_.depth_m.row(canvas_y) + plan.box.x;
     const std::uint32_t* stroke = state_.stroke.row(canvas_y) + plan.box.x;
     RowSums sums;
-    TouchedCells touched{plan.box.width, 0};
-    for (int x = span.begin; x < span.end; ++x) {
-      const float s = value_at[x];
+    for (int x = drawn.touched.begin; x < drawn.touched.end; ++x) {
+      const float s = drawn.value[x];
       if (!(s > 0)) continue;
-      touched.begin = std::min(touched.begin, x);
-      touched.end = x + 1;
       const double value = static_cast<double>(s);
       sums.value += value;
       const double height = static_cast<double>(base[x] + depth[x]);
@@ -308,23 +339,19 @@ void Transfer::measure_rows(const StampPlan& plan, int begin, int end) {
         if (depth[x] < plan.dry_m) sums.ahead_dry += value;
       }
     }
-    const auto row = static_cast<std::size_t>(y);
-    tip_row_[row] = tip;
-    span_[row] = span;
-    row_[row] = sums;
-    touched_[row] = touched.end > touched.begin ? touched : TouchedCells{};
+    row_[static_cast<std::size_t>(y)] = sums;
+    touched_[static_cast<std::size_t>(y)] = drawn.touched;
     find_passed(plan, y);
   }
 }
 
 /// Finds how high the surface is where the tip passes, before anything is picked up beside it.
 void Transfer::find_passed(const StampPlan& plan, int y) {
-  const auto row = static_cast<std::size_t>(y);
-  const TouchedCells& touched = touched_[row];
+  const DrawnTipRow& drawn = tip().row(y);
   float* height = passed_m_.data() + static_cast<std::ptrdiff_t>(y) * plan.box.width;
-  for (int x = touched.begin; x < touched.end; ++x)
-    height[x] =
-        passed_height_m(state_, plan.box.x + x, plan.box.y + y, passed_.at(tip_row_[row].v(x)));
+  for (int x = drawn.touched.begin; x < drawn.touched.end; ++x)
+    height[x] = passed_height_m(state_, plan.box.x + x, plan.box.y + y,
+                                tip().passed().at(drawn.place.v(x)));
 }
 
 float* Transfer::paint_at(const StampPlan& plan, std::size_t cell) {
@@ -341,8 +368,9 @@ void Transfer::weigh_row(const StampPlan& plan, int y) {
   const BristleTable& grip = plan.tip->grip_table();
   const auto row = static_cast<std::size_t>(y);
   const TouchedCells& touched = touched_[row];
-  const TipRow& tip = tip_row_[row];
-  const float* value = value_.data() + static_cast<std::ptrdiff_t>(y) * plan.box.width;
+  const TipRow& tip = this->tip().row(y).place;
+  const float* value = this->tip().row(y).value;
+  const BladeEnds& ends = this->tip().ends();
   const float* base = state_.base_m.row(plan.box.y + y) + plan.box.x;
   const float* depth = state_.depth_m.row(plan.box.y + y) + plan.box.x;
   const bool scrapes = plan.scrape_frac > 0;
@@ -352,13 +380,13 @@ void Transfer::weigh_row(const StampPlan& plan, int y) {
   for (int x = touched.begin; x < touched.end; ++x, ++at) {
     const float v = tip.v(x), height = base[x] + depth[x];
     hold_[at] = stamp_hold(plan, grip, value[x], v);
-    const float open = scrapes ? ends_.open.at(v) : 0.0f;
+    const float open = scrapes ? ends.open.at(v) : 0.0f;
     const float levelled = value[x] * stamp_level_factor(plan, open, passed_m[x]);
     share += static_cast<double>(levelled);
     share_[at] = levelled * stamp_caught(plan, base[x]);
     if (scrapes)
       pick_up_weight_[at] =
-          stamp_pick_up_weight(plan, hold_[at], ends_.takes.at(v), {depth[x], height});
+          stamp_pick_up_weight(plan, hold_[at], ends.takes.at(v), {depth[x], height});
   }
   row_[row].share = share;
 }
@@ -397,9 +425,10 @@ void Transfer::pick_up_and_refill(const StampPlan& plan, const BrushInHand& hand
 void Transfer::sample_row(const StampPlan& plan, int y) {
   const auto row = static_cast<std::size_t>(y);
   const TouchedCells& touched = touched_[row];
-  const float* value = value_.data() + static_cast<std::ptrdiff_t>(y) * plan.box.width;
+  const DrawnTipRow& drawn = tip().row(y);
+  const float* value = drawn.value;
   float* paint = paint_at(plan, touched.at);
-  plan.reservoir->sample_row(tip_row_[row], touched.begin, touched.end - touched.begin, paint);
+  plan.reservoir->sample_row(drawn.place, touched.begin, touched.end - touched.begin, paint);
   double returned = 0;
   std::size_t at = touched.at;
   for (int x = touched.begin; x < touched.end; ++x, ++at, paint += plan.stride) {
@@ -434,18 +463,29 @@ void Transfer::deposit_bands(const StampPlan& plan, int begin, int end) {
   }
 }
 
+/// How dry the brush is after the stamp (R24), if it deposits.
+Transfer::BrushDryness Transfer::find_dryness(const StampPlan& plan, const BrushInHand& hand,
+                                              const Reservoir& reservoir) const {
+  double ahead = 0, ahead_dry = 0;
+  for (int y = 0; y < plan.box.height; ++y) {
+    ahead += row_[static_cast<std::size_t>(y)].ahead;
+    ahead_dry += row_[static_cast<std::size_t>(y)].ahead_dry;
+  }
+  BrushDryness after{reservoir.density_frac, reservoir.dry_ahead_frac};
+  if (ahead > 0) after.dry_ahead_frac = static_cast<float>(ahead_dry / ahead);
+  after.density_frac =
+      std::max(0.0f, after.density_frac - after.dry_ahead_frac * plan.stamp.travel_m /
+                                              (hand.brush.capacity * plan.pose.diameter_m));
+  return after;
+}
+
 /// Adds to the account, takes out of the reservoir the surplus that was deposited, and dries the
 /// brush (R24).
 void Transfer::return_surplus(const StampPlan& plan, const BrushInHand& hand,
-                              Reservoir& reservoir) {
+                              const BrushDryness& dryness, Reservoir& reservoir) {
   add_to(account_.deposited);
-  double returned = 0, ahead = 0, ahead_dry = 0;
-  for (int y = 0; y < plan.box.height; ++y) {
-    const RowSums& sums = row_[static_cast<std::size_t>(y)];
-    returned += sums.returned;
-    ahead += sums.ahead;
-    ahead_dry += sums.ahead_dry;
-  }
+  double returned = 0;
+  for (int y = 0; y < plan.box.height; ++y) returned += row_[static_cast<std::size_t>(y)].returned;
   if (returned > 0) {
     const double tip_area =
         static_cast<double>(plan.pose.diameter_m) * static_cast<double>(plan.pose.diameter_m);
@@ -455,10 +495,8 @@ void Transfer::return_surplus(const StampPlan& plan, const BrushInHand& hand,
       reservoir.drop_surplus(hand.load, hand.tip,
                              static_cast<float>(std::min(1.0, texels / surplus)));
   }
-  if (ahead > 0) reservoir.dry_ahead_frac = static_cast<float>(ahead_dry / ahead);
-  reservoir.density_frac =
-      std::max(0.0f, reservoir.density_frac - reservoir.dry_ahead_frac * plan.stamp.travel_m /
-                                                  (hand.brush.capacity * plan.pose.diameter_m));
+  reservoir.dry_ahead_frac = dryness.dry_ahead_frac;
+  reservoir.density_frac = dryness.density_frac;
 }
 
 /// Adds the sums of the bands, in their order: into `paint_sum_` and, as volumes, into `flow`.
@@ -489,24 +527,24 @@ void Transfer::touch_rows(const StampPlan& plan, int begin, int end) {
   const Stamp& stamp = plan.stamp;
   const int first = plan.box.x;
   for (int y = begin; y < end; ++y) {
-    const auto row = static_cast<std::size_t>(y);
+    const DrawnTipRow& drawn = tip().row(y);
     const int canvas_y = plan.box.y + y;
-    const float* value = value_.data() + static_cast<std::ptrdiff_t>(y) * plan.box.width;
+    const float* value = drawn.value;
     float* touched = contact_.weight.row(canvas_y) + first;
     float* velocity_x = contact_.velocity_x_m_s.row(canvas_y) + first;
     float* velocity_y = contact_.velocity_y_m_s.row(canvas_y) + first;
-    for (int x = touched_[row].begin; x < touched_[row].end; ++x) {
+    for (int x = drawn.touched.begin; x < drawn.touched.end; ++x) {
       if (!(value[x] > 0)) continue;
       touched[x] = std::max(touched[x], std::min(1.0f, value[x]));
       velocity_x[x] = stamp.velocity_m_s.x;
       velocity_y[x] = stamp.velocity_m_s.y;
     }
     dilute_push(plan, y);
-    const TipRow tip = tip_row_[row];
+    const TipRow place = drawn.place;
     float* __restrict push_x = contact_.push_x_m.row(canvas_y) + first;
     float* __restrict push_y = contact_.push_y_m.row(canvas_y) + first;
-    for (int x = span_[row].begin; x < span_[row].end; ++x) {
-      const float push = stamp_push_m(plan, tip.u(x), tip.v(x));
+    for (int x = drawn.span.begin; x < drawn.span.end; ++x) {
+      const float push = stamp_push_m(plan, place.u(x), place.v(x));
       push_x[x] += push * stamp.direction.x;
       push_y[x] += push * stamp.direction.y;
     }

@@ -2,25 +2,25 @@
 // The transfer at one stamp: paint goes from the canvas to the brush and from the brush to the
 // canvas (R21-R28), and the fluid learns where the brush was. Order: pick up, refill, deposit, mix,
 // contact. The transfer works only on the cells under the tip and allocates nothing once its
-// scratch has grown to the largest stamp. Not thread-safe; the rows of a large stamp run on
-// `threads`, and sums are added in the order of rows.
+// scratch has grown to the largest stamp. Not thread-safe. The rows of a large stamp run on
+// `threads`, and sums are added in the order of rows; beside a small stamp another thread draws the
+// tip of the next.
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "core/base/threads.h"
-#include "core/brush/blade_ends.h"
 #include "core/brush/brush_settings.h"
 #include "core/brush/collect_paint.h"
-#include "core/brush/edge_cells.h"
+#include "core/brush/drawn_tip.h"
 #include "core/brush/reservoir.h"
 #include "core/brush/stamp.h"
 #include "core/brush/stamp_cells.h"
 #include "core/brush/stamp_listener.h"
 #include "core/brush/stamp_plan.h"
 #include "core/brush/tip.h"
-#include "core/brush/tip_footprint.h"
 #include "core/brush/tip_pose.h"
 #include "core/canvas/canvas_state.h"
 #include "core/canvas/paint_account.h"
@@ -49,8 +49,14 @@ class Transfer {
   /// transfer.
   void set_listener(StampListener* listener) { listener_ = listener; }
 
-  /// Does one stamp on the canvas and on `reservoir`.
-  void apply(const Stamp& stamp, const BrushInHand& hand, const Model& model, Reservoir& reservoir);
+  /// Does one stamp on the canvas and on `reservoir`. `next`: the stamp that will probably come
+  /// next, with the same hand and reservoir; nullptr: unknown. It changes no result.
+  void apply(const Stamp& stamp, const Stamp* next, const BrushInHand& hand, const Model& model,
+             Reservoir& reservoir);
+  /// Call it before another brush is taken.
+  void forget_tip();
+  /// How many stamps found their tip drawn.
+  std::int64_t drawn_ahead() const { return drawn_ahead_; }
 
  private:
   struct RowSums {
@@ -62,6 +68,11 @@ class Transfer {
     double ahead = 0;         // value where the stroke has not been yet
     double ahead_dry = 0;     // ... and the canvas is dry
     double returned = 0;      // volume of the surplus that was deposited
+  };
+
+  /// What R24 leaves of a brush.
+  struct BrushDryness {
+    float density_frac = 1, dry_ahead_frac = 1;
   };
 
   using Pass = void (Transfer::*)(const StampPlan&, int begin, int end);
@@ -82,15 +93,22 @@ class Transfer {
   void find_places(const StampPlan& plan);
   float* paint_at(const StampPlan& plan, std::size_t cell);
   std::span<double> sums_of(int band);
+  const DrawnTip& tip() const { return tips_[now_]; }
   void prepare(const FootprintBox& box);
+  BrushDryness find_dryness(const StampPlan& plan, const BrushInHand& hand,
+                            const Reservoir& reservoir) const;
+  bool may_draw_ahead(const StampPlan& plan) const;
+  void exchange(StampPlan& plan, const BrushInHand& hand, const BrushDryness& dryness,
+                Reservoir& reservoir);
   void find_heights(const BrushInHand& hand, StampPlan& plan) const;
-  void place(const Stamp& stamp, const BrushInHand& hand, const Reservoir& reservoir,
+  void place(const Stamp& stamp, const BrushInHand& hand, float density_frac,
              StampPlan& plan) const;
   void set_rates(const Stamp& stamp, const BrushInHand& hand, const Model& model,
                  const Reservoir& reservoir, StampPlan& plan) const;
   bool find_share_scale(StampPlan& plan) const;
   void pick_up_and_refill(const StampPlan& plan, const BrushInHand& hand, Reservoir& reservoir);
-  void return_surplus(const StampPlan& plan, const BrushInHand& hand, Reservoir& reservoir);
+  void return_surplus(const StampPlan& plan, const BrushInHand& hand, const BrushDryness& dryness,
+                      Reservoir& reservoir);
   void add_to(PaintFlow& flow);
 
   CanvasState& state_;
@@ -101,17 +119,17 @@ class Transfer {
   const Threads& threads_;
   StampListener* listener_ = nullptr;
 
+  // The tip of this stamp, and that of the next; which is which changes when the next is drawn.
+  std::array<DrawnTip, 2> tips_;
+  std::size_t now_ = 0;
+  bool is_drawn_ = false;  // the tip of this stamp was drawn beside the one before
+  std::int64_t drawn_ahead_ = 0;
+
   // Scratch of one stamp. Of the cells of its box:
-  TipFootprint footprint_;
-  BristleTable passed_;          // passed_shares()
-  BladeEnds ends_;               // of a blade
-  std::vector<float> value_;     // of the tip; only in the spans of rows
   std::vector<float> passed_m_;  // passed_height_m() of touched cells
   // Of its rows:
   std::vector<RowSums> row_;
-  std::vector<TipFootprint::CellSpan> span_;  // beyond it the tip is nothing
   std::vector<TouchedCells> touched_;
-  std::vector<TipRow> tip_row_;  // where its cells lie on the tip
   // Of the touched cells of all rows:
   std::vector<float> share_;           // value of the tip after contact levelling
   std::vector<float> hold_;            // how hard the bristles hold, [0,2]

@@ -33,6 +33,9 @@ class Painter {
   /// A touch goes down. It has fresh fluid and a reservoir of its own, which is kept for its id
   /// until set_color().
   virtual void begin_stroke(int touch_id, std::uint32_t stroke_id) = 0;
+  /// Says which stamp of the touch will probably follow on the one that is done next. It changes no
+  /// result, only how soon the following one is done.
+  virtual void expect(int /*touch_id*/, const Stamp& /*next*/) {}
   /// Does a stamp of a touch that is down.
   virtual void stamp(int touch_id, const Stamp& stamp) = 0;
   virtual void end_stroke(int touch_id) = 0;

@@ -29,6 +29,11 @@ PaintAccount empty_account(int channels) {
   return account;
 }
 
+struct ExpectedStamp {
+  int touch_id = 0;
+  Stamp stamp;
+};
+
 std::string non_finite_in(const Field<float>& plane, const std::string& name) {
   for (int y = 0; y < plane.height(); ++y) {
     if (all_finite(plane.view().row_span(y))) continue;
@@ -106,6 +111,7 @@ struct Simulation::Impl {
 
   HeldBrush held;
   std::map<int, TouchState> touches;
+  std::optional<ExpectedStamp> expected;
   Vec3f gravity_m_s2{0, 0, 9.81f};
   std::int64_t stamps = 0;
 };
@@ -119,6 +125,7 @@ void Simulation::set_settings(const BrushSettings& settings) {
 }
 
 void Simulation::set_brush(const BrushDefinition& brush) {
+  impl_->transfer->forget_tip();
   if (impl_->held.take(brush)) impl_->fill_brushes();
 }
 
@@ -150,8 +157,15 @@ void Simulation::stamp(int touch_id, const Stamp& stamp) {
   HeldBrush& held = impl_->held;
   const BrushInHand hand{held.brush(), held.tip(), held.settings(), held.load(),
                          touch->second.stroke_id};
-  impl_->transfer->apply(stamp, hand, impl_->model, touch->second.reservoir);
+  const std::optional<ExpectedStamp> expected = std::exchange(impl_->expected, std::nullopt);
+  const bool is_next = expected && expected->touch_id == touch_id;
+  impl_->transfer->apply(stamp, is_next ? &expected->stamp : nullptr, hand, impl_->model,
+                         touch->second.reservoir);
   ++impl_->stamps;
+}
+
+void Simulation::expect(int touch_id, const Stamp& next) {
+  impl_->expected = ExpectedStamp{touch_id, next};
 }
 
 void Simulation::end_stroke(int touch_id) {

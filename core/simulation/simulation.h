@@ -47,6 +47,7 @@ class Simulation : public Painter {
   void set_color(int pigment) override;
   void set_color(int pigment, float from, float to) override;
   void begin_stroke(int touch_id, std::uint32_t stroke_id) override;
+  void expect(int touch_id, const Stamp& next) override;
   void stamp(int touch_id, const Stamp& stamp) override;
   void end_stroke(int touch_id) override;
   void set_gravity(Vec3f gravity_m_s2) override;

@@ -22,8 +22,10 @@ Hand::Hand(Painter& painter, const HandInput& input) : painter_(painter), input_
   painter_.set_color(input_.first_color);
 }
 
-Result<void> Hand::apply(const Cue& cue) {
+Result<void> Hand::apply(const Cue& cue, const Cue* next) {
   if (const auto* stamp = std::get_if<StrokeStamp>(&cue.what)) {
+    const auto* following = next == nullptr ? nullptr : std::get_if<StrokeStamp>(&next->what);
+    if (following != nullptr) painter_.expect(following->slot, following->stamp);
     painter_.stamp(stamp->slot, stamp->stamp);
   } else if (const auto* begin = std::get_if<StrokeBegin>(&cue.what)) {
     painter_.begin_stroke(begin->slot, begin->stroke_id);

@@ -33,8 +33,9 @@ class Hand {
   /// Puts the first brush, loaded with the first colour, into the hand of a tablet lying face up.
   Hand(Painter& painter, const HandInput& input);
 
-  /// Errors: those of a file that a `load` names.
-  Result<void> apply(const Cue& cue);
+  /// `next`: the cue that will probably follow; nullptr: unknown. Errors: those of a file that a
+  /// `load` names.
+  Result<void> apply(const Cue& cue, const Cue* next = nullptr);
   /// What the cue does to the hand itself (brush, sliders, colours, gravity, model, the ground of
   /// the detail canvas) and not to the paint: for a canvas that has it already. Errors: as of
   /// apply().

@@ -54,6 +54,10 @@ Result<std::optional<Cue>> Timeline::next(const std::atomic<bool>* cancelled) {
   }
 }
 
+const Cue* Timeline::peek() const {
+  return impl_->queue.empty() ? nullptr : &impl_->queue.front().cue;
+}
+
 Result<void> Timeline::Impl::read_one() {
   Result<std::optional<log::Event>> event = reader.next();
   if (!event) return event.error();

@@ -43,6 +43,9 @@ class Timeline {
   /// The next cue, or nothing at the end. Errors: the reader's; kInterrupted once `cancelled`,
   /// which may be nullptr, is set and more must be read.
   Result<std::optional<Cue>> next(const std::atomic<bool>* cancelled = nullptr);
+  /// The cue that next() will probably give, if it is known without reading more of the log; else
+  /// nullptr. Valid until the next call.
+  const Cue* peek() const;
 
  private:
   struct Impl;

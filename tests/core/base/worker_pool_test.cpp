@@ -9,6 +9,7 @@
 #include <cfenv>
 #include <mutex>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 namespace pentimento {
@@ -37,6 +38,17 @@ TEST(WorkerPool, RangesAreNoSmallerThanTheGrain) {
   });
   std::sort(lengths.begin(), lengths.end());
   EXPECT_EQ(lengths, (std::vector<int>{10, 30, 30, 30}));
+}
+
+TEST(WorkerPool, TheFirstRangeIsTheCallers) {
+  WorkerPool pool(3);
+  for (int round = 0; round < 2000; ++round) {
+    std::thread::id first;
+    pool.share(5, 5 + 1 + round % 9, 1, [&](int from, int) {
+      if (from == 5) first = std::this_thread::get_id();
+    });
+    ASSERT_EQ(first, std::this_thread::get_id()) << round;
+  }
 }
 
 TEST(WorkerPool, WhatIsThrownReachesTheCaller_AndTheNextLoopRuns) {

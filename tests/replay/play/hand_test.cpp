@@ -29,6 +29,9 @@ class NotingPainter : public Painter {
   void begin_stroke(int touch_id, std::uint32_t stroke_id) override {
     note(fmt::format("begin {} of touch {}", stroke_id, touch_id));
   }
+  void expect(int touch_id, const Stamp& next) override {
+    note(fmt::format("expect {} of {} m", touch_id, next.diameter_m));
+  }
   void stamp(int touch_id, const Stamp&) override { note(fmt::format("stamp {}", touch_id)); }
   void end_stroke(int touch_id) override { note(fmt::format("end {}", touch_id)); }
   void set_gravity(Vec3f g) override { note(fmt::format("gravity {} {} {}", g.x, g.y, g.z)); }
@@ -92,6 +95,20 @@ TEST_F(HandTest, TellsStrokesTouchByTouch) {
   EXPECT_EQ(after({cue(StrokeBegin{0, 7}), cue(StrokeBegin{1, 8}), cue(StrokeStamp{1, Stamp()}),
                    cue(StrokeEnd{0})}),
             (Told{"begin 7 of touch 0", "begin 8 of touch 1", "stamp 1", "end 0"}));
+}
+
+TEST_F(HandTest, TellsWhichStampProbablyFollows) {
+  NotingPainter painter;
+  Hand hand(painter, {brushes_, palette_, 1, files_, {}});
+  painter.told.clear();
+  Stamp wide;
+  wide.diameter_m = 0.5f;
+  const Cue stamp = cue(StrokeStamp{1, Stamp()}), next = cue(StrokeStamp{2, wide});
+  const Cue end = cue(StrokeEnd{1});
+  EXPECT_TRUE(hand.apply(stamp, &next).ok());
+  EXPECT_TRUE(hand.apply(stamp, &end).ok());
+  EXPECT_TRUE(hand.apply(end, &next).ok());
+  EXPECT_EQ(painter.told, (Told{"expect 2 of 0.5 m", "stamp 1", "stamp 1", "end 1"}));
 }
 
 TEST_F(HandTest, TellsWhatTheLogDoes) {

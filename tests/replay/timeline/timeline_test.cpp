@@ -52,6 +52,29 @@ TEST(Timeline, CuesComeInOrderOfTimeAndStep) {
   }
 }
 
+TEST(Timeline, MostlyKnowsWhichCueComesNext) {
+  ListReader reader;
+  reader.stroke(0.0, 1.0, 0.1, 0.6, 0.3);
+  UndoTable undo;
+  for (const log::Event& event : reader.events) undo.add(event);
+  const BrushTable brushes;
+  Timeline timeline(reader, {undo, brushes, false, 1});
+  EXPECT_EQ(timeline.peek(), nullptr);  // nothing has been read
+  int cues = 0, known = 0;
+  std::optional<Cue> expected;
+  while (true) {
+    const Result<std::optional<Cue>> cue = timeline.next();
+    ASSERT_TRUE(cue.ok());
+    if (!cue->has_value()) break;
+    ++cues;
+    if (expected && expected->time_us == (*cue)->time_us) ++known;
+    expected = timeline.peek() == nullptr ? std::nullopt : std::optional(*timeline.peek());
+  }
+  EXPECT_FALSE(expected);  // nothing follows
+  ASSERT_GT(cues, 60);
+  EXPECT_GT(known, cues - 8);  // the five samples part the stroke
+}
+
 TEST(Timeline, StampsAreSpreadOverTheTimeBetweenSamples) {
   ListReader reader;  // one second, two samples only
   reader.stroke(0.0, 1.0, 0.1, 0.6, 0.3, 1);
