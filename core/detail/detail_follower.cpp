@@ -38,6 +38,8 @@ DetailFollower::DetailFollower(DetailFollowerSetup setup, const DetailSubstrate&
       lock_(canvas_.layout(), setup_.layers),
       edges_(setup_.guide, setup_.layers),
       changed_(canvas_.layout()),
+      reworked_(canvas_.layout()),
+      stale_(canvas_.layout(), setup_.layers, setup_.channels),
       released_(canvas_.layout()),
       moving_(canvas_.layout()),
       locked_(static_cast<std::size_t>(canvas_.layout().tiles()), -1),
@@ -49,6 +51,7 @@ void DetailFollower::before_deposit(const StampPlan& plan, const CanvasState& gu
   const CellBox& box = stamp_.box();
   // The blocks under the stamp and the ring around them are locked at the end of the step.
   changed_.add({box.x0 - 1, box.x1 + 1, box.y0 - 1, box.y1 + 1});
+  stamp_.add_touched(reworked_);
   released_.stamped(box, plan.stamp.direction);
 }
 
@@ -75,7 +78,7 @@ void DetailFollower::moved(const CanvasState& guide, const StepInput& in,
   // What moved evens out its own ripples.
   level_detail(canvas_, guide, edges_, in, moving_);
   // The lock looks at these blocks at the end of the step.
-  for (const BlockStrip& strip : moving_.strips()) changed_.add(strip.y, strip.x0, strip.x1);
+  for (const BlockStrip& strip : moving_.strips()) rework(strip);
   zero_edges(edges_, runs);
 }
 
@@ -96,8 +99,9 @@ void DetailFollower::stepped(const CanvasState& guide, const StepInput& in) {
       if (locked < 0) idle_.push_back(t);
       locked = steps_;
     }
-    if (setup_.locked) lock_.lock(canvas_, guide, changed_.strips(), threads_);
+    lock_changed(guide);
     changed_.clear();
+    reworked_.clear();
     // Memory beyond the budget goes to the scratch file.
     canvas_.trim();
   }
@@ -117,7 +121,19 @@ void DetailFollower::settle_released_paint(const CanvasState& guide, const Model
   const std::vector<ReleasedBlock> left = released_.step();
   steepen_edges(canvas_, guide, left, threads_);
   level_relief(canvas_, guide, left, model.surface_tension_N_m, threads_);
-  for (const ReleasedBlock& block : left) changed_.add(block.at.y, block.at.x0, block.at.x1);
+  for (const ReleasedBlock& block : left) rework(block.at);
+}
+
+/// Notes that the fine cells of blocks have changed.
+void DetailFollower::rework(const BlockStrip& strip) {
+  changed_.add(strip.y, strip.x0, strip.x1);
+  reworked_.add(strip.y, strip.x0, strip.x1);
+}
+
+/// Locks what is stale of the blocks that changed.
+void DetailFollower::lock_changed(const CanvasState& guide) {
+  const std::vector<BlockStrip> stale = stale_.find(guide, changed_, reworked_);
+  if (setup_.locked) lock_.lock(canvas_, guide, stale, threads_);
 }
 
 /// Frees wet planes in which nothing is left, of tiles that have rested for kRest steps.
@@ -136,6 +152,7 @@ void DetailFollower::free_idle_planes(const CanvasState& guide) {
 void DetailFollower::drying(const CanvasState&, const ChannelBasis& basis, const Model& model) {
   stamp_.finish();
   dry_detail(canvas_, basis, model, threads_);
+  stale_.clear();
   touch_all();
 }
 
@@ -146,6 +163,8 @@ void DetailFollower::cleared() {
   for (const int t : idle_) locked_[static_cast<std::size_t>(t)] = -1;
   idle_.clear();
   changed_.clear();
+  reworked_.clear();
+  stale_.clear();
   released_.clear();
 }
 
@@ -154,8 +173,11 @@ void DetailFollower::restored(const CanvasState& guide) {
   prolong_guide(canvas_, guide, threads_);
   // At its next step the guide rounds everything it holds to whole quanta, so every block may
   // change.
-  changed_.add({0, setup_.guide.width, 0, setup_.guide.height});
-  if (setup_.locked) lock_.lock(canvas_, guide, changed_.strips(), threads_);
+  for (int y = 0; y < setup_.guide.height; ++y) {
+    changed_.add(y, 0, setup_.guide.width);
+    reworked_.add(y, 0, setup_.guide.width);
+  }
+  lock_changed(guide);
 }
 
 /// Index in DetailCheckpoint::tile of the number that says how long a tile has rested.
@@ -178,14 +200,15 @@ void DetailFollower::resume(const CanvasSource& fine, const DetailCheckpoint& ch
                             const CanvasState& guide) {
   cleared();
   resume_detail(canvas_, fine, checkpoint, guide);
-  restore_notes(checkpoint);
+  restore_notes(checkpoint, guide);
 }
 
 Result<void> DetailFollower::recall(const DetailCheckpoint& checkpoint,
-                                    const LockStatistics& statistics, const PlaneReader& read) {
+                                    const LockStatistics& statistics, const CanvasState& guide,
+                                    const PlaneReader& read) {
   cleared();
   if (Result<void> restored = restore_tiles(canvas_, checkpoint, read); !restored) return restored;
-  restore_notes(checkpoint);
+  restore_notes(checkpoint, guide);
   lock_.recall(statistics);
   return {};
 }
@@ -197,8 +220,8 @@ std::vector<int> DetailFollower::touched() const {
   return tiles;
 }
 
-/// How long tiles have rested, which blocks changed, and where the brush was.
-void DetailFollower::restore_notes(const DetailCheckpoint& checkpoint) {
+/// How long tiles have rested, which blocks changed, where the brush was, and what the guide held.
+void DetailFollower::restore_notes(const DetailCheckpoint& checkpoint, const CanvasState& guide) {
   steps_ = kRest;
   for (int t = 0; t < canvas_.layout().tiles(); ++t) {
     const std::int64_t rest = checkpoint.tile[rest_value(t)];
@@ -206,7 +229,10 @@ void DetailFollower::restore_notes(const DetailCheckpoint& checkpoint) {
     locked_[static_cast<std::size_t>(t)] = steps_ - std::min(rest - 1, kRest);
     idle_.push_back(t);
   }
+  // Between two steps, blocks have changed only where the canvas was restored: all their cells.
   restore_changed(checkpoint, canvas_.layout(), changed_);
+  for (const BlockStrip& strip : changed_.strips()) rework(strip);
+  stale_.note(guide);
   released_.restore(checkpoint.stamped);
 }
 

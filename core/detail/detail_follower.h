@@ -10,6 +10,7 @@
 #include "core/base/threads.h"
 #include "core/canvas/canvas_source.h"
 #include "core/detail/lock/lock.h"
+#include "core/detail/lock/stale_blocks.h"
 #include "core/detail/stamp/detail_stamp.h"
 #include "core/detail/store/changed_blocks.h"
 #include "core/detail/store/detail_canvas.h"
@@ -56,10 +57,10 @@ class DetailFollower : public CanvasListener {
   DetailCheckpoint checkpoint() const;
 
   /// Goes on with the notes that checkpoint() and lock_statistics() gave, and with planes that
-  /// equal those of that canvas. The detail canvas must be clear. Errors: those of `read`;
-  /// canvas().problem().
+  /// equal those of that canvas. `guide`: the guide's state then. The detail canvas must be clear.
+  /// Errors: those of `read`; canvas().problem().
   Result<void> recall(const DetailCheckpoint& checkpoint, const LockStatistics& statistics,
-                      const PlaneReader& read);
+                      const CanvasState& guide, const PlaneReader& read);
   /// The tiles whose planes may have other values, or may not exist any more, since the last call
   /// of forget_touched(), ascending. At first all tiles. Call finish_stamps() first.
   std::vector<int> touched() const;
@@ -71,10 +72,12 @@ class DetailFollower : public CanvasListener {
   const LockStatistics& lock_statistics() const { return lock_.statistics(); }
 
  private:
-  void restore_notes(const DetailCheckpoint& checkpoint);
+  void restore_notes(const DetailCheckpoint& checkpoint, const CanvasState& guide);
   void touch_all() { std::fill(touched_.begin(), touched_.end(), std::uint8_t{1}); }
   void settle_released_paint(const CanvasState& guide, const Model& model);
   void add_rounded(const StepInput& in);
+  void rework(const BlockStrip& strip);
+  void lock_changed(const CanvasState& guide);
   void free_idle_planes(const CanvasState& guide);
   std::size_t rest_value(int tile) const;
 
@@ -84,7 +87,9 @@ class DetailFollower : public CanvasListener {
   DetailStamp stamp_;
   Lock lock_;
   PaintEdges edges_;
-  ChangedBlocks changed_;  // blocks changed since the last lock, and their neighbours
+  ChangedBlocks changed_;   // blocks changed since the last lock, and their neighbours
+  ChangedBlocks reworked_;  // those of them whose fine cells changed
+  StaleBlocks stale_;
   ReleasedBlocks released_;
   ChangedBlocks moving_;  // blocks where paint moves in this part of a step
   // In which step each tile was last locked; tiles locked since they were last searched for planes

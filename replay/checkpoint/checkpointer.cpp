@@ -104,7 +104,8 @@ Result<Slot> Checkpointer::take(std::uint64_t generation) {
                  fmt::format("{}: part \"memory\": what its brushes hold does not fit", name)};
   }
   if (slot->detail) {
-    Result<void> recalled = planes_.recall(*slot->detail, std::move(slot->planes), *follower());
+    Result<void> recalled =
+        planes_.recall(*slot->detail, std::move(slot->planes), slot->guide, *follower());
     if (!recalled) return recalled.error();
   }
   if (Result<void> kept_outputs =

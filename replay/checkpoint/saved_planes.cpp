@@ -29,10 +29,10 @@ std::vector<int> all_tiles(const DetailCanvas& canvas) {
 }  // namespace
 
 Result<void> SavedPlanes::recall(const checkpoint::DetailNotes& notes, PlaneIndex index,
-                                 DetailFollower& follower) {
+                                 const CanvasState& guide, DetailFollower& follower) {
   PlaneFiles files(folder_, index);
   Result<void> recalled =
-      follower.recall(notes.checkpoint, notes.lock,
+      follower.recall(notes.checkpoint, notes.lock, guide,
                       [&](TilePlaneId id, std::span<float> out) { return files.read(id, out); });
   if (!recalled) return recalled;
   commit(std::move(index), follower);

@@ -17,10 +17,10 @@ class SavedPlanes {
  public:
   explicit SavedPlanes(std::string folder) : folder_(std::move(folder)) {}
 
-  /// Brings the planes that `index` lists to `follower`, whose other notes are `notes`. Errors:
-  /// those of PlaneFiles::read() and of the canvas.
+  /// Brings the planes that `index` lists to `follower`, whose other notes are `notes` and whose
+  /// guide is `guide`. Errors: those of PlaneFiles::read() and of the canvas.
   Result<void> recall(const checkpoint::DetailNotes& notes, checkpoint::PlaneIndex index,
-                      DetailFollower& follower);
+                      const CanvasState& guide, DetailFollower& follower);
   /// Writes what changed since the last committed save into the file of `generation`. Returns the
   /// index of all planes. Errors: kIo.
   Result<checkpoint::PlaneIndex> save(const DetailFollower& follower, std::uint64_t generation);

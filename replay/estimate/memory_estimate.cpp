@@ -38,6 +38,12 @@ std::int64_t state_bytes(const LogSession& session) {
   return cells * planes * 4;
 }
 
+/// Of a cell of the guide: what is noted for the detail canvas, and what the guide held there.
+std::int64_t followed_cell(const LogSession& session) {
+  const std::int64_t wet = 1 + std::int64_t{session.model.layers} * session.basis.channels();
+  return kFollowedCell + 4 * wet;
+}
+
 /// What `ulimit -v` leaves, counted as a job is: with the programme. No limit: as much as there is.
 std::int64_t address_space() {
   rlimit space{};
@@ -157,8 +163,8 @@ std::int64_t guide_bytes(const LogSession& session, double reached_share) {
   const std::int64_t wet = (state_bytes(session) - bare) / cells * painted;
   const std::int64_t fine = state_bytes(session) * session.detail * session.detail;
   const std::int64_t read = session.detail_start ? std::min(kDumpRead, fine) : 0;
-  const std::int64_t checkpoint = session.detail > 1 ? cells * kFollowedCell : 0;
-  return kProgramme + bare + wet + painted * kSchemePlanes * 4 + checkpoint + read;
+  const std::int64_t followed = session.detail > 1 ? cells * followed_cell(session) : 0;
+  return kProgramme + bare + wet + painted * kSchemePlanes * 4 + followed + read;
 }
 
 std::int64_t budget_beside(std::int64_t others, const RenderJob& job) {

@@ -22,6 +22,14 @@ void DetailStamp::before_deposit(const StampPlan& plan, const CanvasState& guide
   stamps_[used_++]->before_deposit(plan, guide, canvas_.layout(), amount_);
 }
 
+void DetailStamp::add_touched(ChangedBlocks& blocks) const {
+  const QueuedStamp& stamp = *stamps_[used_ - 1];
+  for (int y = stamp.blocks().y0; y < stamp.blocks().y1; ++y) {
+    const QueuedStamp::BlockSpan touched = stamp.touched_in(y, canvas_.layout());
+    blocks.add(y, touched.x0, touched.x1);
+  }
+}
+
 void DetailStamp::after_deposit(const StampPlan& plan, const CanvasState& guide) {
   QueuedStamp& stamp = *stamps_[used_ - 1];
   stamp.after_deposit(plan, guide);

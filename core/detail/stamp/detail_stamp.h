@@ -9,6 +9,7 @@
 
 #include "core/base/threads.h"
 #include "core/detail/stamp/queued_stamp.h"
+#include "core/detail/store/changed_blocks.h"
 #include "core/detail/store/detail_canvas.h"
 
 namespace pentimento {
@@ -28,6 +29,8 @@ class DetailStamp {
   void forget() { used_ = 0; }
   /// Cells of the guide under the last stamp.
   const CellBox& box() const { return stamps_[used_ - 1]->blocks(); }
+  /// Adds the blocks that the last stamp's tip may reach.
+  void add_touched(ChangedBlocks& blocks) const;
 
  private:
   /// The stamps that touch a tile.

@@ -81,6 +81,22 @@ void QueuedStamp::after_deposit(const StampPlan& plan, const CanvasState& guide)
   });
 }
 
+QueuedStamp::BlockSpan QueuedStamp::touched_in(int y, const DetailLayout& layout) const {
+  const int k = layout.factor();
+  const CanvasGeometry fine = layout.fine();
+  TipFootprint::CellSpan touched{cells_.width, 0};
+  const int y0 = std::max(y * k, cells_.y), y1 = std::min((y + 1) * k, cells_.y + cells_.height);
+  for (int row = y0; row < y1; ++row) {
+    const TipFootprint::CellSpan here =
+        tip_.touched_span(tip_row(plan_.pose, cells_, fine, row), 0, cells_.width);
+    if (here.end <= here.begin) continue;
+    touched.begin = std::min(touched.begin, here.begin);
+    touched.end = std::max(touched.end, here.end);
+  }
+  if (touched.end <= touched.begin) return {};
+  return {(cells_.x + touched.begin) / k, (cells_.x + touched.end - 1) / k + 1};
+}
+
 bool QueuedStamp::opens_in(const CellBox& part) const {
   if (!deposits_) return false;
   const int x0 = std::max(part.x0, blocks_.x0), x1 = std::min(part.x1, blocks_.x1);

@@ -46,6 +46,12 @@ class QueuedStamp {
     const auto width = static_cast<std::size_t>(blocks_.width());
     return {layers_.data() + static_cast<std::size_t>(y - blocks_.y0) * width, width};
   }
+  /// Blocks [x0, x1) of a row of the guide; none where x1 is no more than x0.
+  struct BlockSpan {
+    int x0 = 0, x1 = 0;
+  };
+  /// The blocks of row y outside of which the tip is nothing.
+  BlockSpan touched_in(int y, const DetailLayout& layout) const;
   /// Whether the stamp opens layers in a part of the guide.
   bool opens_in(const CellBox& part) const;
 

@@ -116,8 +116,8 @@ TEST(MemoryEstimate, OfAProgrammeThatPaintsNothingIsItsCodeAndTheCanvas) {
   // 13 planes of the state and as many for a scheme and the brush as are foreseen: 24.
   const std::int64_t canvas = kCells * (13 + 24) * 4;
   EXPECT_EQ(memory_without_outputs(), 75 * kMB + canvas);
-  // A detail canvas notes 150 bytes of each cell of its guide.
-  EXPECT_EQ(memory_without_outputs(4), 75 * kMB + canvas + kCells * 150);
+  // A detail canvas notes 150 bytes of each cell of its guide, and what its five wet planes held.
+  EXPECT_EQ(memory_without_outputs(4), 75 * kMB + canvas + kCells * (150 + 5 * 4));
 }
 
 TEST(MemoryEstimate, ALargeCanvasTakesMemoryWhereThereIsPaint) {

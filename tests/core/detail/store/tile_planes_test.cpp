@@ -45,7 +45,7 @@ TEST(TilePlanes, AnotherCanvasGoesOnFromThemBitForBit) {
   const SimulationMemory memory = one.sim().memory();
   other.sim().set_color(1);  // the hand does the same again
   ASSERT_TRUE(other.follower().recall(one.follower().checkpoint(), one.follower().lock_statistics(),
-                                      [&](TilePlaneId id, std::span<float> out) {
+                                      one.sim().state(), [&](TilePlaneId id, std::span<float> out) {
                                         std::copy(values.at(id).begin(), values.at(id).end(),
                                                   out.begin());
                                         return Result<void>();
