@@ -17,8 +17,9 @@ namespace {
 constexpr std::size_t kStackBytes = std::size_t{4} << 20;
 // Ranges for each thread: enough that one that is held up does not hold up the loop.
 constexpr std::int64_t kPiecesPerThread = 8;
-// How often a worker offers its core before it sleeps: loops follow one another within
-// microseconds, and to be woken takes some ten of them.
+// How often a worker offers its core before it sleeps, for some 0.3 ms: loops of a step follow one
+// another within tens of microseconds, steps of small paintings within hundreds, and to be woken
+// takes some ten.
 constexpr int kYields = 1000;
 
 // The state: how many workers are inside of the loop, whether it is open, and which loop it is.

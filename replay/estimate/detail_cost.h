@@ -16,23 +16,21 @@ struct DetailCost {
 /// Processor time, as multiples of what a wet cell of a small canvas takes in a step.
 struct TimeCost {
   // The guide.
-  double awake_cell = 3.5;         // a cell of a tile where paint was laid lately, per step
-  double tilted_cell = 2.7;        // a cell of a wet tile while the canvas is tilted, per step
-  double stamped_cell = 0.4;       // a cell under a stamp
-  double stamp = 380;              // a stamp, whatever its size
+  double awake_cell = 1.3;         // a cell of a tile where paint was laid lately, per step
+  double tilted_cell = 0.92;       // a cell of a wet tile while the canvas is tilted, per step
+  double stamped_cell = 0.15;      // a cell under a stamp
+  double stamp = 40;               // a stamp, whatever its size
   double guide_shared_frac = 0.2;  // that all threads do together
   // What a detail canvas of any size takes: notes of stamps, blocks that are corrected.
-  double followed_cell = 19.8;        // a cell of the guide under a stamp
-  double followed_channel = 0.17;     // each channel that it has wet
-  double followed_stamp = 380;        // a stamp, whatever its size
-  double followed_tilted_cell = 8.4;  // a cell of the guide in wet tiles while tilted, per step
+  double followed_cell = 16.3;        // a cell of the guide under a stamp
+  double followed_tilted_cell = 4.3;  // a cell of the guide in wet tiles while tilted, per step
   double followed_shared_frac = 0.5;
   // Its cells.
-  double fine_awake_cell = 0.55;      // a fine cell of awake tiles, per step
-  double fine_awake_channel = 0.016;  // each channel that its tile has wet
-  double fine_tilted_cell = 0.76;     // a fine cell of wet tiles while tilted, per step
+  double fine_awake_cell = 0.1;       // a fine cell of awake tiles, per step
+  double fine_awake_channel = 0.057;  // each channel that its tile has wet
+  double fine_tilted_cell = 0.4;      // a fine cell of wet tiles while tilted, per step
   double canvas_cell = 1;             // a fine cell hashed, per stop
-  double picture_pixel = 2.7;         // shaded and encoded
+  double picture_pixel = 4.7;         // shaded and encoded
   double fine_shared_frac = 0.9;
 };
 

@@ -9,7 +9,7 @@
 namespace pentimento {
 
 namespace {
-constexpr double kStart_s = 0.6;  // the programme, OpenGL, the shader's compilation
+constexpr double kStart_s = 0.1;  // the programme, OpenGL; compiled shaders are there mostly
 constexpr CanvasGeometry kSmall = {256, 192, 0.2, 0.15};
 
 /// A canvas, wet all over and tilted, with the session's planes. All else is as usual, so that
@@ -67,9 +67,8 @@ double job_seconds(const RenderJob& job, const LogSession& session, const PaintS
                        survey.tilted_cell_steps * cost.tilted_cell +
                        survey.stamped_cells * cost.stamped_cell + stamps * cost.stamp;
   const bool follows = session.detail > 1;
-  const double followed =
-      survey.stamped_cells * cost.followed_cell + survey.stamped_channels * cost.followed_channel +
-      stamps * cost.followed_stamp + survey.tilted_cell_steps * cost.followed_tilted_cell;
+  const double followed = survey.stamped_cells * cost.followed_cell +
+                          survey.tilted_cell_steps * cost.followed_tilted_cell;
   const double square = static_cast<double>(session.detail) * session.detail;
   const double moved = square * (survey.awake.cell_steps * cost.fine_awake_cell +
                                  survey.awake.channel_steps * cost.fine_awake_channel +

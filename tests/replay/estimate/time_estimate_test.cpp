@@ -45,8 +45,7 @@ TEST(TimeEstimate, IsTheSumOfItsPartsOnOneThread) {
   const LogSession plain = session_of(scratch, 1);
   const double start_s = seconds(plain, PaintSurvey(), 0, 1);
   EXPECT_NEAR(seconds(plain, survey(), c, 1), start_s + c * (guide + picture), 1e-9);
-  const double followed = 5e4 * cost.followed_cell + 15e4 * cost.followed_channel +
-                          1000 * cost.followed_stamp + 3e6 * cost.followed_tilted_cell;
+  const double followed = 5e4 * cost.followed_cell + 3e6 * cost.followed_tilted_cell;
   const double fine = 16 * (2e6 * cost.fine_awake_cell + 5e6 * cost.fine_awake_channel +
                             3e6 * cost.fine_tilted_cell);
   const double canvas = 15 * 120'000 * cost.canvas_cell;  // hashed
