@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/any_not_zero.h"
 #include "core/detail/store/block_rows.h"
 #include "core/detail/store/open_cells.h"
 
@@ -86,8 +87,10 @@ void Lock::list(DetailCanvas& canvas, const std::vector<BlockStrip>& strips) {
     DetailTile* tile = canvas.find(at.tile);
     if (tile == nullptr) continue;
     strips_.push_back({at, tile, split_.size()});
-    for (int x = at.x0; x < at.x1; ++x)
+    for (int x = at.x0; x < at.x1; ++x) {
       split_.push_back(layers_correspond(*tile, canvas.layout(), x, at.y) ? 0 : 1);
+      strips_.back().is_split |= split_.back() != 0;
+    }
   }
   blocks_ = split_.size();
   counted_.assign(strips_.size(), {});
@@ -107,10 +110,10 @@ void Lock::for_strips(const Job& job, const Body& body) {
 void Lock::lock_group(const Job& job, const Group& group) {
   // What each block holds, and by which ratio it is off.
   held_.assign(group.size() * blocks_, 0.0f);
+  wants_.assign(group.size() * strips_.size(), 0);
+  holds_.assign(group.size() * strips_.size(), 0);
   for_strips(job, [&](std::size_t s) {
-    for (std::size_t p = 0; p < group.size(); ++p)
-      if (group[p].of(*strips_[s].tile))
-        block_means(job.row_of(strips_[s], group[p]), held_of(p, strips_[s]));
+    measure(job, group, s);
     find_ratios(job, group, s, 0);
   });
   const auto any_off = [&] {
@@ -121,7 +124,7 @@ void Lock::lock_group(const Job& job, const Group& group) {
   for (int pass = 1; pass <= kSmoothings && any_off(); ++pass) {
     for_strips(job, [&](std::size_t s) {
       for (std::size_t p = 0; p < group.size(); ++p)
-        if (group[p].of(*strips_[s].tile)) smooth(job, group[p], p, strips_[s], pass);
+        if (holds_[p * strips_.size() + s] != 0) smooth(job, group[p], p, strips_[s], pass);
       if (pass < kSmoothings) find_ratios(job, group, s, pass);
     });
   }
@@ -133,6 +136,28 @@ void Lock::lock_group(const Job& job, const Group& group) {
   // scale are filled.
   for_strips(job, [&](std::size_t s) { make_exact(job, group, s); });
   fill_uncovered_blocks(job, group);
+}
+
+/// What the blocks of a strip hold, and whether there is anything to compare.
+void Lock::measure(const Job& job, const Group& group, std::size_t s) {
+  const Strip& strip = strips_[s];
+  for (std::size_t p = 0; p < group.size(); ++p) {
+    const float* wanted = group[p].of(job.guide).row(strip.at.y) + strip.at.x0;
+    wants_[p * strips_.size() + s] = any_not_zero(wanted, strip.at.blocks()) ? 1 : 0;
+    if (!group[p].of(*strip.tile)) continue;
+    const std::span<float> held = held_of(p, strip);
+    block_means(job.row_of(strip, group[p]), held);
+    holds_[p * strips_.size() + s] = any_not_zero(held.data(), strip.at.blocks()) ? 1 : 0;
+  }
+}
+
+/// A flag of a plane in a strip; where blocks are mismatched, of all planes of the group.
+bool Lock::any(const std::vector<std::uint8_t>& flags, std::size_t plane, std::size_t s) const {
+  const std::size_t strips = strips_.size();
+  if (!strips_[s].is_split) return flags[plane * strips + s] != 0;
+  for (std::size_t i = s; i < flags.size(); i += strips)
+    if (flags[i] != 0) return true;
+  return false;
 }
 
 /// Multiplies the fine cells of a strip by the ratios of the pass before, as a smooth field. Keeps
@@ -167,6 +192,7 @@ void Lock::find_ratios(const Job& job, const Group& group, std::size_t s, int pa
   const Strip& strip = strips_[s];
   off_[s] = 0;
   for (std::size_t p = 0; p < group.size(); ++p) {
+    if (!any(wants_, p, s) || !any(holds_, p, s)) continue;  // the ratios are 1, and stay so
     float* ratio = ratio_[at(pass) % 2][p].row(strip.at.y) + strip.at.x0;
     for (int i = 0; i < strip.at.blocks(); ++i) {
       ratio[i] = 1;
@@ -188,6 +214,7 @@ void Lock::make_exact(const Job& job, const Group& group, std::size_t s) {
   std::array<float, kMostTileSide> scale;
   for (std::size_t p = 0; p < group.size(); ++p) {
     if (!group[p].of(*strip.tile)) continue;
+    if (!any(wants_, p, s) && !any(holds_, p, s)) continue;
     bool all_one = true;
     for (int i = 0; i < strip.at.blocks(); ++i) {
       const Target c = target_of(job, group, p, strip, i);

@@ -55,6 +55,7 @@ class Lock {
     BlockStrip at;
     DetailTile* tile = nullptr;
     std::size_t first = 0;  // index of its first block in the tables
+    bool is_split = false;  // whether any of its blocks is mismatched
   };
   struct Target {
     float wanted = 0, held = 0;
@@ -67,6 +68,8 @@ class Lock {
   template <typename Body>
   void for_strips(const Job& job, const Body& body);
   void lock_group(const Job& job, const Group& group);
+  void measure(const Job& job, const Group& group, std::size_t s);
+  bool any(const std::vector<std::uint8_t>& flags, std::size_t plane, std::size_t s) const;
   void smooth(const Job& job, const WetPlane& q, std::size_t plane, const Strip& strip, int pass);
   Target target_of(const Job& job, const Group& group, std::size_t plane, const Strip& strip,
                    int block) const;
@@ -82,6 +85,9 @@ class Lock {
   std::vector<float> held_;          // mean of each block, plane after plane of a group
   std::vector<std::uint8_t> split_;  // per block: 1 if mismatched
   std::vector<std::uint8_t> off_;    // per strip: 1 if it has a ratio that is not 1
+  // Plane after plane of a group, per strip: whether the guide wants anything there, and whether
+  // the blocks hold anything.
+  std::vector<std::uint8_t> wants_, holds_;
   std::vector<LockStatistics> counted_;
   std::vector<std::vector<UncoveredBlock>> uncovered_;
   LockStatistics statistics_;

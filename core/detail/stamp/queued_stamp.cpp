@@ -1,7 +1,11 @@
 #include "core/detail/stamp/queued_stamp.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+
+#include "core/base/any_not_zero.h"
+#include "core/base/kernel.h"
 
 namespace pentimento {
 
@@ -17,16 +21,23 @@ FootprintBox cells_of(const StampPlan& plan, const CanvasGeometry& fine, int fac
   return box;
 }
 
-/// The amount of pigment in each layer of a cell of the guide.
-void find_totals(const CanvasState& guide, std::span<const float> amount, int x, int y,
+/// sum += share pigment
+PENTIMENTO_KERNEL
+void add_amount_row(float share, const float* pigment, int n, float* __restrict sum) {
+  for (int i = 0; i < n; ++i) sum[i] += share * pigment[i];
+}
+
+/// The amount of pigment in each layer of a row of the guide's cells [x, x + n), layer after layer.
+void find_totals(const CanvasState& guide, std::span<const float> amount, int x, int y, int n,
                  std::span<float> total) {
+  std::fill(total.begin(), total.end(), 0.0f);
   for (int layer = 0; layer < guide.layers; ++layer) {
-    float sum = 0;
+    float* sum = total.data() + static_cast<std::ptrdiff_t>(layer) * n;
     for (int c = 0; c < guide.channels; ++c) {
       const float share = amount[static_cast<std::size_t>(c)];
-      if (share != 0) sum += share * guide.channel(layer, c)(x, y);
+      const float* pigment = guide.channel(layer, c).row(y) + x;
+      if (share != 0 && any_not_zero(pigment, n)) add_amount_row(share, pigment, n, sum);
     }
-    total[static_cast<std::size_t>(layer)] = sum;
   }
 }
 
@@ -57,9 +68,14 @@ void QueuedStamp::before_deposit(const StampPlan& plan, const CanvasState& guide
   tip_.draw_swept(plan, std::sqrt(fine.dx_m() * fine.dy_m()));
   layers_.assign(
       static_cast<std::size_t>(blocks_.width()) * static_cast<std::size_t>(blocks_.height()), {});
-  std::vector<float> total(static_cast<std::size_t>(guide.layers));
+  const auto width = static_cast<std::size_t>(blocks_.width());
+  std::vector<float> row(width * static_cast<std::size_t>(guide.layers));
+  std::array<float, kMaxLayers> cell{};
+  const std::span<const float> total(cell.data(), static_cast<std::size_t>(guide.layers));
   for_blocks(blocks_, layers_, [&](int x, int y, BlockLayers& block) {
-    find_totals(guide, amount, x, y, total);
+    if (x == blocks_.x0) find_totals(guide, amount, x, y, blocks_.width(), row);
+    for (std::size_t layer = 0; layer < total.size(); ++layer)
+      cell[layer] = row[layer * width + static_cast<std::size_t>(x - blocks_.x0)];
     block.opens = guide.stroke(x, y) != plan.stroke_id;
     if (block.opens) {
       block.opening = opening_of(total);
