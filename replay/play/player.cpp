@@ -50,7 +50,8 @@ Result<void> Player::apply_cues(std::optional<std::int64_t> before_step) {
     if (Result<void> go = hear(); !go) return go;
     if (Result<void> advanced = advance(ahead_->step); !advanced) return advanced;
     line_ = std::max(line_, ahead_->line);
-    if (Result<void> applied = in_.hand.apply(*ahead_, in_.timeline.peek()); !applied) return applied;
+    if (Result<void> applied = in_.hand.apply(*ahead_, in_.timeline.peek()); !applied)
+      return applied;
     if (Result<void> lit = light(*ahead_); !lit) return lit;
     ahead_.reset();
     ++cues_;
