@@ -56,7 +56,7 @@ class AheadTest : public ::testing::Test {
     return stamp;
   }
   const ChannelBasis basis_ = palette_channels(test::three_pigments());
-  const Model model_;
+  const Model model_ = {};
 };
 
 class NobodysListener : public StampListener {
