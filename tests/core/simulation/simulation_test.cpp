@@ -3,56 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstring>
-#include <functional>
-#include <string>
 
 #include "core/brush/builtin_brushes.h"
-#include "core/brush/stroke_path.h"
-#include "tests/core/three_pigments.h"
+#include "tests/core/simulation/strokes.h"
 
 namespace pentimento {
 namespace {
 
-constexpr double kWidth_m = 0.2;
-constexpr double kHeight_m = 0.15;
-constexpr float kDiameter_m = 0.02f;
-constexpr double kSpacing = 0.025;
-
-SimulationSetup setup_of(int width, int layers, SchemeKind scheme = SchemeKind::kPaper) {
-  SimulationSetup setup;
-  setup.geometry = {width, width * 3 / 4, kWidth_m, kHeight_m};
-  setup.model.layers = layers;
-  setup.model.scheme = scheme;
-  setup.basis = palette_channels(test::three_pigments());
-  return setup;
-}
-
-struct StrokePlan {
-  std::vector<TouchSample> samples;
-  int pigment = 0;
-  std::uint32_t id = 1;
-  int touch = 0;
-};
-
-TouchSample at(double x_m, double y_m, double time_s, float pressure = -1) {
-  TouchSample s;
-  s.x_m = x_m;
-  s.y_m = y_m;
-  s.time_s = time_s;
-  s.diameter_m = kDiameter_m;
-  s.pressure = pressure;
-  return s;
-}
-
-std::vector<Stamp> stamps_of(const std::vector<TouchSample>& samples, double spacing = kSpacing) {
-  StrokePath path(spacing, kWidth_m, kHeight_m);
-  std::vector<Stamp> out;
-  path.begin(samples.front());
-  for (std::size_t i = 1; i < samples.size(); ++i) path.add(samples[i], out);
-  path.finish(out);
-  return out;
-}
+using namespace test;
 
 void paint(Simulation& sim, const StrokePlan& plan, double spacing = kSpacing) {
   sim.set_color(plan.pigment);
@@ -78,20 +36,6 @@ double relative_l2(const Field<float>& a, const Field<float>& b) {
     }
   }
   return std::sqrt(difference / size);
-}
-
-bool same_bits(const Field<float>& a, const Field<float>& b) {
-  for (int y = 0; y < a.height(); ++y)
-    if (std::memcmp(a.row(y), b.row(y), static_cast<std::size_t>(a.width()) * sizeof(float)) != 0)
-      return false;
-  return true;
-}
-
-void expect_same_bits(const CanvasState& a, const CanvasState& b) {
-  EXPECT_TRUE(same_bits(a.depth_m, b.depth_m));
-  EXPECT_TRUE(same_bits(a.base_m, b.base_m));
-  for (std::size_t i = 0; i < a.pigment.size(); ++i)
-    EXPECT_TRUE(same_bits(a.pigment[i], b.pigment[i])) << "plane " << i;
 }
 
 double plane_sum(const Field<float>& plane) {
@@ -202,73 +146,6 @@ TEST(Simulation, ThreadsDoNotChangeABit) {
   expect_same_bits(a.state(), c.state());
   EXPECT_EQ(a.account().deposited.medium_m3, c.account().deposited.medium_m3);
   EXPECT_EQ(a.account().picked_up.channel, c.account().picked_up.channel);
-}
-
-/// Two strokes that mix, by a wet and drying brush. `expect` is told the number of each stamp and
-/// may say which it expects after it.
-CanvasState paint_expecting(const Threads& threads, const std::string& brush,
-                            const std::function<void(Simulation&, std::size_t)>& expect) {
-  Simulation sim(setup_of(128, 2), threads);
-  sim.set_brush(*builtin_brush(brush));
-  for (const StrokePlan& stroke :
-       {StrokePlan{{at(0.03, 0.03, 0, 0.3f), at(0.1, 0.08, 0.3, 1), at(0.17, 0.1, 0.6)}, 0, 1, 0},
-        StrokePlan{{at(0.03, 0.1, 1), at(0.1, 0.07, 1.3, 0.5f), at(0.17, 0.03, 1.6)}, 1, 2, 0}}) {
-    sim.set_color(stroke.pigment);
-    sim.begin_stroke(0, stroke.id);
-    const std::vector<Stamp> stamps = stamps_of(stroke.samples);
-    for (std::size_t i = 0; i < stamps.size(); ++i) {
-      expect(sim, i);
-      sim.stamp(0, stamps[i]);
-      if (i % 7 == 6) sim.step();
-    }
-    sim.end_stroke(0);
-  }
-  return clone_state(sim.state());
-}
-
-TEST(Simulation, WhatIsExpectedChangesNothing) {
-  const Threads one(1), two(2);
-  const auto nothing = [](Simulation&, std::size_t) {};
-  const std::vector<Stamp> first =
-      stamps_of({at(0.03, 0.03, 0, 0.3f), at(0.1, 0.08, 0.3, 1), at(0.17, 0.1, 0.6)});
-  for (const char* brush : {"round", "bristle", "knife"}) {
-    const CanvasState plain = paint_expecting(one, brush, nothing);
-    // Right in the first stroke, wrong in the second; always the same; of another touch.
-    const auto right = [&](Simulation& sim, std::size_t i) {
-      if (i + 1 < first.size()) sim.expect(0, first[i + 1]);
-    };
-    const auto same = [&](Simulation& sim, std::size_t) { sim.expect(0, first[0]); };
-    const auto anothers = [&](Simulation& sim, std::size_t i) {
-      if (i + 1 < first.size()) sim.expect(3, first[i + 1]);
-    };
-    expect_same_bits(plain, paint_expecting(two, brush, nothing));
-    expect_same_bits(plain, paint_expecting(two, brush, right));
-    expect_same_bits(plain, paint_expecting(one, brush, right));
-    expect_same_bits(plain, paint_expecting(two, brush, same));
-    expect_same_bits(plain, paint_expecting(two, brush, anothers));
-  }
-}
-
-TEST(Simulation, AnotherBrushDoesNotLayTheTipThatWasDrawnForTheOneBefore) {
-  const Threads one(1), two(2);
-  const std::vector<Stamp> stamps =
-      stamps_of({at(0.05, 0.05, 0, 0.4f), at(0.1, 0.08, 0.3, 0.4f), at(0.15, 0.09, 0.6, 0.4f)});
-  // The other brush has the same tip, and is smaller at this pressure.
-  const auto paint_two = [&](const Threads& threads) {
-    Simulation sim(setup_of(128, 2), threads);
-    BrushDefinition brush = builtin_brush("round")->clone();
-    sim.set_brush(brush);
-    sim.begin_stroke(0, 1);
-    for (std::size_t i = 0; i + 1 < stamps.size(); ++i) {
-      sim.expect(0, stamps[i + 1]);
-      sim.stamp(0, stamps[i]);
-      if (i != stamps.size() / 2) continue;
-      brush.size_pressure = 1;
-      sim.set_brush(brush);
-    }
-    return clone_state(sim.state());
-  };
-  expect_same_bits(paint_two(one), paint_two(two));
 }
 
 TEST(Simulation, TouchesThatDoNotMeetDoNotMind) {
