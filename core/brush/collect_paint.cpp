@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 
 #include "core/base/kernel.h"
 
@@ -84,60 +85,99 @@ bool give_to_four(const float* paint, float factor, Vec2f at, const Tip& tip,
   return true;
 }
 
+using RowWeights = std::array<float, kReservoirColumns>;
+
 struct TentPlace {
   float at = 0, half = 1;
 };
 
-/// Gives the paint of a cell wider than a texel to all texels that it reaches. False if the tip
-/// covers none of them.
-bool give_to_tents(const float* paint, float factor, TentPlace u, TentPlace v, const Tip& tip,
-                   Reservoir& reservoir) {
-  const AlongTent along(u.at, u.half);
-  const Across across(v.at, v.half);
-  const float weight = covered_weight(along, across, tip.covered());
-  if (!(weight > 0)) return false;
-  for (int j = across.begin; j < across.end; ++j) {
-    const float share = factor / weight * across[j];
-    for (int i = along.begin; i < along.end; ++i) {
-      const int texel = j * kReservoirColumns + i;
-      const float w = share * along[i] * tip.covered().by_row[static_cast<std::size_t>(texel)];
-      if (w > 0) give(paint, w, reservoir.stride(), reservoir.dirty_texel(texel));
+/// Floats that are added at a time.
+struct FourFloats {
+  using Vector = float __attribute__((vector_size(16)));
+};
+struct EightFloats {
+  using Vector = float __attribute__((vector_size(32)));
+};
+struct SixteenFloats {
+  using Vector = float __attribute__((vector_size(64)));
+};
+
+/// texel += w paint for the texels [begin, end) of a row. A texel is `chunks` vectors, or kChunks
+/// where that is not 0.
+template <typename Chunk, int kChunks>
+inline void give_to_row(const float* paint, const RowWeights& w, int begin, int end, int chunks,
+                        float* texels) {
+  constexpr std::ptrdiff_t kFloats = sizeof(typename Chunk::Vector) / sizeof(float);
+  const int count = kChunks > 0 ? kChunks : chunks;
+  float* out = texels + static_cast<std::ptrdiff_t>(begin) * count * kFloats;
+  for (int i = begin; i < end; ++i) {
+    const float weight = w[static_cast<std::size_t>(i)];
+    for (int k = 0; k < count; ++k, out += kFloats) {
+      typename Chunk::Vector given, texel;
+      std::memcpy(&given, paint + kFloats * k, sizeof given);
+      std::memcpy(&texel, out, sizeof texel);
+      texel += weight * given;
+      std::memcpy(out, &texel, sizeof texel);
     }
   }
-  return true;
 }
 
-/// The same for texels of four floats, as most brushes have them: four texels at a time. Those
-/// that are not reached are given nothing, which is quicker than to ask. `texels`: all of them.
+/// A cell wider than a texel, and the texels that it reaches. `weight`: the sum of their weights.
+struct WideCell {
+  const float* paint;
+  float factor, weight;
+  const AlongTent& along;
+  const Across& across;
+};
+
+/// Gives the cell's paint to the texels that it reaches. Those that the tip does not cover are
+/// given nothing, which is quicker than to ask.
+template <typename Chunk, int kChunks>
+inline void give_to_rows(const WideCell& cell, const CoveredTexels& covered, int stride,
+                         float* texels) {
+  for (int j = cell.across.begin; j < cell.across.end; ++j) {
+    const float share = cell.factor / cell.weight * cell.across[j];
+    const float* is_covered = covered.by_row.data() + std::ptrdiff_t{kReservoirColumns} * j;
+    RowWeights w;
+    for (int i = 0; i < kReservoirColumns; ++i)
+      w[static_cast<std::size_t>(i)] = share * cell.along[i] * is_covered[i];
+    give_to_row<Chunk, kChunks>(
+        cell.paint, w, cell.along.begin, cell.along.end,
+        stride / static_cast<int>(sizeof(typename Chunk::Vector) / sizeof(float)),
+        texels + static_cast<std::ptrdiff_t>(j) * kReservoirColumns * stride);
+  }
+}
+
+/// Gives the paint of a cell wider than a texel to all texels that it reaches. A texel has `stride`
+/// floats, and all texels are at `texels`. False if the tip covers none that the cell reaches.
 PENTIMENTO_KERNEL
-bool give_four_to_tents(const float* paint, float factor, TentPlace u, TentPlace v,
-                        const CoveredTexels& covered, float* __restrict texels) {
-  constexpr int kFour = 4, kTogether = kFour * kFour, kRow = kFour * kReservoirColumns;
+bool give_to_tents(const float* paint, float factor, TentPlace u, TentPlace v,
+                   const CoveredTexels& covered, int stride, float* texels) {
   const AlongTent along(u.at, u.half);
   const Across across(v.at, v.half);
   const float weight = covered_weight(along, across, covered);
   if (!(weight > 0)) return false;
-  std::array<float, kRow> weights;
-  std::array<float, kTogether> paints;
-  for (int i = 0; i < kRow; ++i) weights[static_cast<std::size_t>(i)] = along[i / kFour];
-  for (int i = 0; i < kTogether; ++i) paints[static_cast<std::size_t>(i)] = paint[i % kFour];
-  for (int j = across.begin; j < across.end; ++j) {
-    const float share = factor / weight * across[j];
-    for (int i = along.begin / kFour * kTogether; i < along.end * kFour; i += kTogether) {
-      const float* w = weights.data() + i;
-      const float* is_covered = covered.four.data() + std::ptrdiff_t{kRow} * j + i;
-      float* __restrict texel = texels + std::ptrdiff_t{kRow} * j + i;
-      for (int k = 0; k < kTogether; ++k)
-        texel[k] += share * w[k] * is_covered[k] * paints[static_cast<std::size_t>(k)];
-    }
+  const WideCell cell{paint, factor, weight, along, across};
+  switch (stride) {  // up to 19 channels have loops of their own
+    case 4:
+      give_to_rows<FourFloats, 1>(cell, covered, stride, texels);
+      break;
+    case 8:
+      give_to_rows<EightFloats, 1>(cell, covered, stride, texels);
+      break;
+    case 12:
+      give_to_rows<FourFloats, 3>(cell, covered, stride, texels);
+      break;
+    case 16:
+      give_to_rows<SixteenFloats, 1>(cell, covered, stride, texels);
+      break;
+    case 20:
+      give_to_rows<FourFloats, 5>(cell, covered, stride, texels);
+      break;
+    default:
+      give_to_rows<FourFloats, 0>(cell, covered, stride, texels);
   }
   return true;
-}
-
-bool give_to_wide(const float* paint, float factor, TentPlace u, TentPlace v, const Tip& tip,
-                  Reservoir& reservoir) {
-  if (reservoir.stride() != 4) return give_to_tents(paint, factor, u, v, tip, reservoir);
-  return give_four_to_tents(paint, factor, u, v, tip.covered(), reservoir.dirty_texel(0));
 }
 
 /// Spreads the paint that reached no texel evenly.
@@ -173,9 +213,11 @@ void collect_picked_up(const PickedUpPaint& picked_up, const TipPose& pose, cons
       if (is_nothing(paint, stride)) continue;
       const float at_u = (row.u(x) + 0.5f) * kReservoirColumns - 0.5f;
       const float at_v = (row.v(x) + 0.5f) * kReservoirRows - 0.5f;
-      const bool given = fine ? give_to_four(paint, cells_per_texel, {at_u, at_v}, tip, reservoir)
-                              : give_to_wide(paint, cells_per_texel, {at_u, std::max(1.0f, size_u)},
-                                             {at_v, std::max(1.0f, size_v)}, tip, reservoir);
+      const bool given = fine
+                             ? give_to_four(paint, cells_per_texel, {at_u, at_v}, tip, reservoir)
+                             : give_to_tents(paint, cells_per_texel, {at_u, std::max(1.0f, size_u)},
+                                             {at_v, std::max(1.0f, size_v)}, tip.covered(), stride,
+                                             reservoir.dirty_texel(0));
       if (given) continue;
       unreached.resize(static_cast<std::size_t>(stride), 0.0f);
       give(paint, cells_per_texel, stride, unreached.data());

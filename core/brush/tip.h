@@ -104,13 +104,11 @@ struct TipTexel {
 /// Which texels of the reservoir a tip covers, 1 or 0, as kernels read it.
 struct CoveredTexels {
   std::array<float, kReservoirTexels> by_row{}, by_column{};
-  std::array<float, 4 * std::size_t{kReservoirTexels}> four{};  // by row, each four times
 
   void add(int column, int row) {
     const std::size_t at = static_cast<std::size_t>(row * kReservoirColumns + column);
     by_row[at] = 1;
     by_column[static_cast<std::size_t>(column * kReservoirRows + row)] = 1;
-    std::fill_n(four.begin() + static_cast<std::ptrdiff_t>(4 * at), 4, 1.0f);
   }
 };
 

@@ -11,7 +11,7 @@
 namespace pentimento::conservative {
 namespace {
 
-constexpr std::size_t kTogether = 4;
+constexpr std::size_t kTogether = 8;
 
 // A plane that is rounded: what turns its values into whole quanta, and what rounding has taken so
 // far.
@@ -24,7 +24,7 @@ struct RoundedPlane {
 // Rounds `n` cells of as many planes as there are rows. What is carried goes from cell to cell, so
 // the cells of one plane wait for one another; those of several planes do not.
 template <std::size_t kPlanes>
-void round_rows(const std::array<RoundedPlane*, kPlanes>& planes, int x0, int y, int n) {
+void round_rows(std::span<RoundedPlane* const> planes, int x0, int y, int n) {
   std::array<float*, kPlanes> value;
   std::array<float, kPlanes> rounder, carried;
   for (std::size_t k = 0; k < kPlanes; ++k) {
@@ -45,6 +45,13 @@ void round_rows(const std::array<RoundedPlane*, kPlanes>& planes, int x0, int y,
   for (std::size_t k = 0; k < kPlanes; ++k) planes[k]->carried = carried[k];
 }
 
+// round_rows() of as many planes as there are, at most kTogether.
+template <std::size_t kPlanes = kTogether>
+void round_some(std::span<RoundedPlane* const> planes, int x0, int y, int n) {
+  if (planes.size() == kPlanes) return round_rows<kPlanes>(planes, x0, y, n);
+  if constexpr (kPlanes > 1) round_some<kPlanes - 1>(planes, x0, y, n);
+}
+
 // Rounds the box in all planes. A row that is zero is only read: it may have no memory yet.
 void round_planes(const CellBox& box, std::span<RoundedPlane> planes) {
   const int n = box.x1 - box.x0;
@@ -55,10 +62,10 @@ void round_planes(const CellBox& box, std::span<RoundedPlane> planes) {
       if (!any_not_zero(p.plane->row(y) + box.x0, n)) continue;
       some[found++] = &p;
       if (found < kTogether) continue;
-      round_rows<kTogether>(some, box.x0, y, n);
+      round_some(some, box.x0, y, n);
       found = 0;
     }
-    for (std::size_t k = 0; k < found; ++k) round_rows<1>({some[k]}, box.x0, y, n);
+    round_some(std::span(some).first(found), box.x0, y, n);
   }
 }
 
