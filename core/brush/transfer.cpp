@@ -117,28 +117,36 @@ void Transfer::apply(const Stamp& stamp, const Stamp* next, const BrushInHand& h
   find_heights(hand, plan);
   const BrushDryness dryness = find_dryness(plan, hand, reservoir);
 
-  // The rest, and beside it the tip of the next stamp, which needs the dryness alone.
-  StampPlan after;
-  if (next != nullptr && may_draw_ahead(plan)) place(*next, hand, dryness.density_frac, after);
-  if (after.box.empty()) return exchange(plan, hand, dryness, reservoir);
-  const auto exchange_or_draw = [&](int begin, int end) {
-    for (int i = begin; i < end; ++i) {
-      if (i == 0) {
-        exchange(plan, hand, dryness, reservoir);
-      } else {
-        tips_[1 - now_].draw(after, hand.brush.scrapes);
-      }
-    }
-  };
-  // One reference is captured, so that the function object needs no memory of its own.
-  threads_.for_ranges(0, 2, 1,
-                      [&exchange_or_draw](int begin, int end) { exchange_or_draw(begin, end); });
-  now_ = 1 - now_;
+  // The rest, and beside it the tip of the next stamp, which needs the dryness alone. A stamp that
+  // shares its rows has work for all threads.
+  if (listener_ != nullptr) listener_->begin_stamp();
+  if (threads_.count() > 1 && !shares_rows(plan.box)) {
+    StampPlan after;
+    if (next != nullptr) place(*next, hand, dryness.density_frac, after);
+    exchange_and_draw(plan, after, hand, dryness, reservoir);
+  } else {
+    exchange(plan, hand, dryness, reservoir);
+    if (listener_ != nullptr) listener_->draw_tip(plan);
+  }
+  if (listener_ != nullptr) listener_->end_stamp();
 }
 
-/// A stamp that shares its rows has work for all threads, and a listener has some of its own.
-bool Transfer::may_draw_ahead(const StampPlan& plan) const {
-  return threads_.count() > 1 && listener_ == nullptr && !shares_rows(plan.box);
+/// Does the exchange() on one thread, and on others draws the listener's tip and that of the stamp
+/// `after`, if its box is not empty.
+void Transfer::exchange_and_draw(StampPlan& plan, const StampPlan& after, const BrushInHand& hand,
+                                 const BrushDryness& dryness, Reservoir& reservoir) {
+  const bool draws_next = !after.box.empty();
+  const auto task = [&](int i) {
+    if (i == 0) exchange(plan, hand, dryness, reservoir);
+    if (i == 1 && listener_ != nullptr) listener_->draw_tip(plan);
+    if (i == 2) tips_[1 - now_].draw(after, hand.brush.scrapes);
+  };
+  if (!draws_next && listener_ == nullptr) return task(0);
+  // One reference is captured, so that the function object needs no memory of its own.
+  threads_.for_ranges(0, draws_next ? 3 : 2, 1, [&task](int begin, int end) {
+    for (int i = begin; i < end; ++i) task(i);
+  });
+  if (draws_next) now_ = 1 - now_;
 }
 
 /// Paint goes from the canvas to the brush and from the brush to the canvas.

@@ -97,7 +97,8 @@ class Transfer {
   void prepare(const FootprintBox& box);
   BrushDryness find_dryness(const StampPlan& plan, const BrushInHand& hand,
                             const Reservoir& reservoir) const;
-  bool may_draw_ahead(const StampPlan& plan) const;
+  void exchange_and_draw(StampPlan& plan, const StampPlan& after, const BrushInHand& hand,
+                         const BrushDryness& dryness, Reservoir& reservoir);
   void exchange(StampPlan& plan, const BrushInHand& hand, const BrushDryness& dryness,
                 Reservoir& reservoir);
   void find_heights(const BrushInHand& hand, StampPlan& plan) const;

@@ -51,7 +51,6 @@ void DetailFollower::before_deposit(const StampPlan& plan, const CanvasState& gu
   const CellBox& box = stamp_.box();
   // The blocks under the stamp and the ring around them are locked at the end of the step.
   changed_.add({box.x0 - 1, box.x1 + 1, box.y0 - 1, box.y1 + 1});
-  stamp_.add_touched(reworked_);
   released_.stamped(box, plan.stamp.direction);
 }
 

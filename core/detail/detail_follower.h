@@ -38,8 +38,11 @@ class DetailFollower : public CanvasListener {
   DetailFollower(DetailFollowerSetup setup, const DetailSubstrate& substrate, TileStore& store,
                  const Threads& threads);
 
+  void begin_stamp() override { stamp_.begin(); }
+  void draw_tip(const StampPlan& plan) override { stamp_.draw_tip(plan); }
   void before_deposit(const StampPlan& plan, const CanvasState& guide) override;
   void after_deposit(const StampPlan& plan, const CanvasState& guide) override;
+  void end_stamp() override { stamp_.add_touched(reworked_); }
   PaintEdges& edges() override { return edges_; }
   void moved(const CanvasState& guide, const StepInput& in,
              const std::vector<conservative::Run>& runs) override;

@@ -7,8 +7,11 @@ namespace pentimento::test {
 
 class IdleListener : public CanvasListener {
  public:
+  void begin_stamp() override {}
+  void draw_tip(const StampPlan&) override {}
   void before_deposit(const StampPlan&, const CanvasState&) override {}
   void after_deposit(const StampPlan&, const CanvasState&) override {}
+  void end_stamp() override {}
   PaintEdges& edges() override { return edges_; }
   void moved(const CanvasState&, const StepInput&, const std::vector<conservative::Run>&) override {
   }

@@ -16,10 +16,14 @@ DetailStamp::DetailStamp(DetailCanvas& canvas, std::span<const float> amount,
                          const Threads& threads)
     : canvas_(canvas), amount_(amount.begin(), amount.end()), threads_(threads) {}
 
-void DetailStamp::before_deposit(const StampPlan& plan, const CanvasState& guide) {
+void DetailStamp::begin() {
   if (used_ == kMostWaiting) finish();
   if (used_ == stamps_.size()) stamps_.push_back(std::make_unique<QueuedStamp>(canvas_.channels()));
-  stamps_[used_++]->before_deposit(plan, guide, canvas_.layout(), amount_);
+  ++used_;
+}
+
+void DetailStamp::before_deposit(const StampPlan& plan, const CanvasState& guide) {
+  stamps_[used_ - 1]->before_deposit(plan, guide, canvas_.layout(), amount_);
 }
 
 void DetailStamp::add_touched(ChangedBlocks& blocks) const {

@@ -19,7 +19,11 @@ class DetailStamp {
   /// All references must outlive the object; `amount` as in LayerRow.
   DetailStamp(DetailCanvas& canvas, std::span<const float> amount, const Threads& threads);
 
-  /// Queues a stamp. The guide has just picked up paint and not deposited any yet.
+  /// Makes room for a stamp in the queue, and does those that are in it if it is full.
+  void begin();
+  /// Draws the tip of the stamp for which there is room now. It may be called beside the next two.
+  void draw_tip(const StampPlan& plan) { stamps_[used_ - 1]->draw_tip(plan, canvas_.layout()); }
+  /// Queues the stamp. The guide has just picked up paint and not deposited any yet.
   void before_deposit(const StampPlan& plan, const CanvasState& guide);
   /// The guide has deposited. Makes planes for the paint that came.
   void after_deposit(const StampPlan& plan, const CanvasState& guide);
@@ -29,7 +33,7 @@ class DetailStamp {
   void forget() { used_ = 0; }
   /// Cells of the guide under the last stamp.
   const CellBox& box() const { return stamps_[used_ - 1]->blocks(); }
-  /// Adds the blocks that the last stamp's tip may reach.
+  /// Adds the blocks that the last stamp's tip may reach. Its tip must have been drawn.
   void add_touched(ChangedBlocks& blocks) const;
 
  private:

@@ -50,6 +50,11 @@ void for_blocks(const CellBox& blocks, std::vector<BlockLayers>& layers, const B
 }
 }  // namespace
 
+void QueuedStamp::draw_tip(const StampPlan& plan, const DetailLayout& layout) {
+  const CanvasGeometry fine = layout.fine();
+  tip_.draw_swept(plan, std::sqrt(fine.dx_m() * fine.dy_m()));
+}
+
 void QueuedStamp::before_deposit(const StampPlan& plan, const CanvasState& guide,
                                  const DetailLayout& layout, std::span<const float> amount) {
   const CanvasGeometry fine = layout.fine();
@@ -65,7 +70,6 @@ void QueuedStamp::before_deposit(const StampPlan& plan, const CanvasState& guide
   cells_ = cells_of(plan, fine, k);
   blocks_ = {cells_.x / k, (cells_.x + cells_.width + k - 1) / k, cells_.y / k,
              (cells_.y + cells_.height + k - 1) / k};
-  tip_.draw_swept(plan, std::sqrt(fine.dx_m() * fine.dy_m()));
   layers_.assign(
       static_cast<std::size_t>(blocks_.width()) * static_cast<std::size_t>(blocks_.height()), {});
   const auto width = static_cast<std::size_t>(blocks_.width());

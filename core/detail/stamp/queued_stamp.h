@@ -24,6 +24,9 @@ class QueuedStamp {
  public:
   explicit QueuedStamp(int channels) : reservoir_(channels) {}
 
+  /// Draws the tip as the detail canvas sees it. It may be called beside the next two, and must be
+  /// before the tip is asked for.
+  void draw_tip(const StampPlan& plan, const DetailLayout& layout);
   /// Copies the plan, and the layers into which the guide is about to deposit. `amount` as in
   /// LayerRow.
   void before_deposit(const StampPlan& plan, const CanvasState& guide, const DetailLayout& layout,

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
+#include <string>
 
 #include "core/brush/builtin_brushes.h"
 #include "core/brush/held_brush.h"
@@ -59,10 +61,25 @@ class AheadTest : public ::testing::Test {
   const Model model_ = {};
 };
 
-class NobodysListener : public StampListener {
+/// Notes in which order it is told of a stamp; of the tip it is told on any thread.
+class NotingListener : public StampListener {
  public:
-  void before_deposit(const StampPlan&, const CanvasState&) override {}
-  void after_deposit(const StampPlan&, const CanvasState&) override {}
+  void begin_stamp() override { told_ += '('; }
+  void draw_tip(const StampPlan& plan) override {
+    EXPECT_GT(plan.stamp.diameter_m, 0);
+    ++tips_;
+  }
+  void before_deposit(const StampPlan&, const CanvasState&) override { told_ += '-'; }
+  void after_deposit(const StampPlan&, const CanvasState&) override { told_ += '+'; }
+  void end_stamp() override {
+    EXPECT_EQ(tips_.exchange(0), 1) << "one tip to each stamp, and it is drawn";
+    told_ += ')';
+  }
+  const std::string& told() const { return told_; }
+
+ private:
+  std::string told_;
+  std::atomic<int> tips_ = 0;
 };
 
 TEST_F(AheadTest, TheNextTipIsDrawnBesideASmallStamp) {
@@ -73,10 +90,21 @@ TEST_F(AheadTest, NotWhereAStampHasWorkForAllThreads) {
   EXPECT_EQ(drawn_ahead(2, 0.07f), 0);
 }
 
-TEST_F(AheadTest, NotByOneThreadOrBesideAListener) {
+TEST_F(AheadTest, NotByOneThread) {
   EXPECT_EQ(drawn_ahead(1, 0.02f), 0);
-  NobodysListener listener;
-  EXPECT_EQ(drawn_ahead(2, 0.02f, &listener), 0);
+}
+
+TEST_F(AheadTest, AListenersTipIsDrawnBesideTheStampToo) {
+  std::string ten;
+  for (int i = 0; i < 10; ++i) ten += "(-+)";
+  for (const float diameter_m : {0.02f, 0.07f}) {
+    for (const int threads : {1, 2, 3}) {
+      NotingListener listener;
+      EXPECT_EQ(drawn_ahead(threads, diameter_m, &listener),
+                threads > 1 && diameter_m < 0.05f ? 9 : 0);
+      EXPECT_EQ(listener.told(), ten);
+    }
+  }
 }
 
 }  // namespace

@@ -43,6 +43,7 @@ TEST_F(QueuedStampTest, TellsWhichBlocksOfARowTheTipReaches) {
   const CanvasGeometry fine = layout.fine();
   const std::vector<float> amount(1, 1.0f);
   QueuedStamp stamp(1);
+  stamp.draw_tip(plan_, layout);
   stamp.before_deposit(plan_, guide_, layout, amount);
   std::vector<float> value(static_cast<std::size_t>(stamp.cells().width));
   int reached = 0, listed = 0;
