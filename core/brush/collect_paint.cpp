@@ -91,29 +91,23 @@ struct TentPlace {
   float at = 0, half = 1;
 };
 
-/// Floats that are added at a time.
-struct FourFloats {
-  using Vector = float __attribute__((vector_size(16)));
-};
-struct EightFloats {
-  using Vector = float __attribute__((vector_size(32)));
-};
-struct SixteenFloats {
-  using Vector = float __attribute__((vector_size(64)));
-};
+// Floats that are added at a time.
+using FourFloats = float __attribute__((vector_size(16)));
+using EightFloats = float __attribute__((vector_size(32)));
+using SixteenFloats = float __attribute__((vector_size(64)));
 
 /// texel += w paint for the texels [begin, end) of a row. A texel is `chunks` vectors, or kChunks
 /// where that is not 0.
 template <typename Chunk, int kChunks>
 inline void give_to_row(const float* paint, const RowWeights& w, int begin, int end, int chunks,
                         float* texels) {
-  constexpr std::ptrdiff_t kFloats = sizeof(typename Chunk::Vector) / sizeof(float);
+  constexpr std::ptrdiff_t kFloats = sizeof(Chunk) / sizeof(float);
   const int count = kChunks > 0 ? kChunks : chunks;
   float* out = texels + static_cast<std::ptrdiff_t>(begin) * count * kFloats;
   for (int i = begin; i < end; ++i) {
     const float weight = w[static_cast<std::size_t>(i)];
     for (int k = 0; k < count; ++k, out += kFloats) {
-      typename Chunk::Vector given, texel;
+      Chunk given, texel;
       std::memcpy(&given, paint + kFloats * k, sizeof given);
       std::memcpy(&texel, out, sizeof texel);
       texel += weight * given;
@@ -143,7 +137,7 @@ inline void give_to_rows(const WideCell& cell, const CoveredTexels& covered, int
       w[static_cast<std::size_t>(i)] = share * cell.along[i] * is_covered[i];
     give_to_row<Chunk, kChunks>(
         cell.paint, w, cell.along.begin, cell.along.end,
-        stride / static_cast<int>(sizeof(typename Chunk::Vector) / sizeof(float)),
+        stride / static_cast<int>(sizeof(Chunk) / sizeof(float)),
         texels + static_cast<std::ptrdiff_t>(j) * kReservoirColumns * stride);
   }
 }
