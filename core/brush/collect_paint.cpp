@@ -94,7 +94,6 @@ struct TentPlace {
 // Floats that are added at a time.
 using FourFloats = float __attribute__((vector_size(16)));
 using EightFloats = float __attribute__((vector_size(32)));
-using SixteenFloats = float __attribute__((vector_size(64)));
 
 /// texel += w paint for the texels [begin, end) of a row. A texel is `chunks` vectors, or kChunks
 /// where that is not 0.
@@ -152,24 +151,13 @@ bool give_to_tents(const float* paint, float factor, TentPlace u, TentPlace v,
   const float weight = covered_weight(along, across, covered);
   if (!(weight > 0)) return false;
   const WideCell cell{paint, factor, weight, along, across};
-  switch (stride) {  // up to 19 channels have loops of their own
-    case 4:
-      give_to_rows<FourFloats, 1>(cell, covered, stride, texels);
-      break;
-    case 8:
-      give_to_rows<EightFloats, 1>(cell, covered, stride, texels);
-      break;
-    case 12:
-      give_to_rows<FourFloats, 3>(cell, covered, stride, texels);
-      break;
-    case 16:
-      give_to_rows<SixteenFloats, 1>(cell, covered, stride, texels);
-      break;
-    case 20:
-      give_to_rows<FourFloats, 5>(cell, covered, stride, texels);
-      break;
-    default:
-      give_to_rows<FourFloats, 0>(cell, covered, stride, texels);
+  // Loops of their own for up to seven pigments; beyond, to know the number gains nothing.
+  if (stride == 4) {
+    give_to_rows<FourFloats, 1>(cell, covered, stride, texels);
+  } else if (stride == 8) {
+    give_to_rows<EightFloats, 1>(cell, covered, stride, texels);
+  } else {
+    give_to_rows<FourFloats, 0>(cell, covered, stride, texels);
   }
   return true;
 }

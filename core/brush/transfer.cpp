@@ -117,8 +117,8 @@ void Transfer::apply(const Stamp& stamp, const Stamp* next, const BrushInHand& h
   find_heights(hand, plan);
   const BrushDryness dryness = find_dryness(plan, hand, reservoir);
 
-  // The rest, and beside it the tip of the next stamp, which needs the dryness alone. A stamp that
-  // shares its rows has work for all threads.
+  // The rest, and beside it the tips that need the dryness alone: the listener's of this stamp, and
+  // that of the next. A stamp that shares its rows has work for all threads.
   if (listener_ != nullptr) listener_->begin_stamp();
   if (threads_.count() > 1 && !shares_rows(plan.box)) {
     StampPlan after;

@@ -90,7 +90,7 @@ void collect_plainly(const PaintedStamp& s, Reservoir& reservoir) {
 }
 
 TEST(CollectPaint, WideCellsGiveWhatTheyGiveTexelByTexel) {
-  // Texels of 4, 8, 12, 16, 20 and 24 floats, which have loops of their own or share one.
+  // Texels of 4, 8, 12, 16, 20 and 24 floats; the first two have loops of their own.
   for (const int channels : {2, 7, 11, 15, 19, 22}) {
     for (const float across : {3.0f, 7.0f}) {
       Reservoir fast(channels), plain(channels);

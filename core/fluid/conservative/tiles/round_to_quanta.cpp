@@ -21,8 +21,8 @@ struct RoundedPlane {
   float carried = 0;
 };
 
-// Rounds `n` cells of as many planes as there are rows. What is carried goes from cell to cell, so
-// the cells of one plane wait for one another; those of several planes do not.
+// Rounds `n` cells of kPlanes planes. What is carried goes from cell to cell, so the cells of one
+// plane wait for one another; those of several planes do not.
 template <std::size_t kPlanes>
 void round_rows(std::span<RoundedPlane* const> planes, int x0, int y, int n) {
   std::array<float*, kPlanes> value;
