@@ -25,7 +25,7 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SHLIBDEPS OFF)
 # What find_package(pentimento) looks for in its turn.
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libeigen3-dev, libfmt-dev, libsimdjson-dev, libpugixml-dev, \
-libzip-dev, libprotobuf-dev, libzstd-dev, zlib1g-dev, libssl-dev, libxxhash-dev, libhdf5-dev, libpng-dev, \
+libzip-dev, libprotobuf-dev, libzstd-dev, zlib1g-dev, libdeflate-dev, libssl-dev, libxxhash-dev, libhdf5-dev, libpng-dev, \
 libjpeg-dev, libtiff-dev, libopenexr-dev, liblcms2-dev")
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "libraries of pentimento
 The oil-paint simulation, its file formats and the replay of logs, as static libraries for C++20,

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "core/base/result.h"
+#include "core/base/threads.h"
 #include "core/canvas/canvas_state.h"
 
 namespace pentimento {
@@ -60,6 +61,14 @@ class CanvasSource {
   virtual bool empty(const CellWindow& window) const {
     static_cast<void>(window);
     return false;
+  }
+  /// Says that these planes will be read in `window`, which lies on the grid. A source that must
+  /// fetch them may use `threads` for that.
+  virtual void expect(const CellWindow& window, std::span<const PlaneId> planes,
+                      const Threads& threads) const {
+    static_cast<void>(window);
+    static_cast<void>(planes);
+    static_cast<void>(threads);
   }
   /// Ok, or the reason why a read() failed. A read() that failed gave zeros.
   virtual Result<void> status() const { return {}; }

@@ -1,6 +1,8 @@
 #include "core/shading/state_window.h"
 
 #include <algorithm>
+#include <array>
+#include <span>
 
 namespace pentimento {
 namespace {
@@ -62,6 +64,9 @@ class ColourRows {
     }
     values_.resize(planes_.size());
   }
+
+  /// Besides depth.
+  std::span<const PlaneId> planes() const { return planes_; }
 
   AlbedoCells read(int j) {
     rows_.read({PlaneKind::kDepth}, j, depth_);
@@ -132,6 +137,8 @@ void pack_albedo(const CanvasSource& canvas, const AlbedoOptics& optics, EdgeCel
   texels.resize(4 * cells(window));
   const bool has_paint = !canvas.empty(WindowRows(canvas, window).on_grid());
   const auto row = 4 * static_cast<std::size_t>(window.width);
+  canvas.expect(WindowRows(canvas, window).on_grid(),
+                ColourRows(canvas, window, has_paint).planes(), threads);
   threads.for_ranges(0, window.height, kGrain, [&](int begin, int end) {
     ColourRows rows(canvas, window, has_paint);
     WindowCoverage coverage(canvas, window);
@@ -147,6 +154,9 @@ void pack_relief(const CanvasSource& canvas, const CellWindow& window, const Thr
                  std::vector<float>& texels) {
   const WindowRows rows(canvas, window);
   texels.resize(2 * cells(window));
+  constexpr std::array<PlaneId, 3> kPlanes = {
+      {{PlaneKind::kBase}, {PlaneKind::kDepth}, {PlaneKind::kPaper}}};
+  canvas.expect(rows.on_grid(), kPlanes, threads);
   threads.for_ranges(0, window.height, kGrain, [&](int begin, int end) {
     std::vector<float> base, depth, paper;
     float* out = texels.data() +

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <functional>
+#include <map>
 #include <string_view>
 
 #include "formats/hdf5/objects.h"
@@ -16,6 +18,37 @@ namespace {
 constexpr int kTile = 256;  // cells a side: the writer's chunk
 constexpr std::uint32_t kSignBit = 0x80000000u;
 
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+std::ptrdiff_t diff(std::size_t i) {
+  return static_cast<std::ptrdiff_t>(i);
+}
+
+/// The values of cells that have `n` each, cell after cell: first all the first ones, then all the
+/// second ones, ...
+TileValues values_apart(const TileValues& values, std::size_t n) {
+  TileValues apart(values.size());
+  const std::size_t cells = values.size() / n;
+  for (std::size_t i = 0; i < cells; ++i)
+    for (std::size_t value = 0; value < n; ++value)
+      apart[value * cells + i] = values[i * n + value];
+  return apart;
+}
+
+bool are_alike(const TileValues& values) {
+  return std::adjacent_find(values.begin(), values.end(), std::not_equal_to()) == values.end();
+}
+
+/// Calls visit(row, column) for the tiles that a window on the grid touches.
+template <typename Visit>
+void for_tiles(const CellWindow& window, const Visit& visit) {
+  for (int row = window.y / kTile; row * kTile < window.y + window.height; ++row)
+    for (int column = window.x / kTile; column * kTile < window.x + window.width; ++column)
+      visit(row, column);
+}
+
 /// HDF5 is called from one thread at a time, whichever file it is about.
 std::mutex& library() {
   static std::mutex mutex;
@@ -26,6 +59,18 @@ std::size_t index_of(std::string_view name) {
   std::size_t i = 0;
   while (std::string_view(kCanvasDatasets[i].name) != name) ++i;
   return i;
+}
+
+/// The shape of the writer's chunks.
+std::vector<hsize_t> written_chunk(const CanvasShape& canvas, const CanvasDataset& dataset) {
+  const std::vector<std::uint64_t> shape = shape_of(canvas, dataset);
+  std::vector<hsize_t> chunk(shape.begin(), shape.end());
+  const std::size_t y_axis = chunk.size() == 3 ? 0 : chunk.size() - 2;
+  for (std::size_t axis = 0; axis < chunk.size(); ++axis) {
+    if (axis < y_axis) chunk[axis] = 1;
+    if (axis == y_axis || axis == y_axis + 1) chunk[axis] = std::min<hsize_t>(chunk[axis], kTile);
+  }
+  return chunk;
 }
 
 std::size_t dataset_of(PlaneKind kind) {
@@ -63,6 +108,8 @@ Result<std::shared_ptr<const DumpSource>> DumpSource::open(const DumpFile& from,
     if (!source->datasets_.back().ok())
       return Error{ErrorCode::kBadInput,
                    fmt::format("{}: {} cannot be read", from.path, what.name)};
+    source->packed_.push_back(PackedChunks::of(source->datasets_.back().id(), what.is_integer,
+                                               written_chunk(shape, what)));
   }
   return std::shared_ptr<const DumpSource>(std::move(source));
 }
@@ -73,94 +120,168 @@ Result<void> DumpSource::status() const {
   return {};
 }
 
-/// The tile's cells, row after row; the tile is cut at the right and the lower edge.
-bool DumpSource::load(const Key& key, std::vector<std::uint32_t>& values) const {
-  const auto [index, plane, row, column] = key;
-  const CanvasDataset& what = kCanvasDatasets[index];
-  const auto n = static_cast<hsize_t>(cell_values(shape_, what));
-  const auto y = static_cast<hsize_t>(row) * kTile, x = static_cast<hsize_t>(column) * kTile;
-  const hsize_t rows = std::min<hsize_t>(kTile, static_cast<hsize_t>(shape_.height) - y);
-  const hsize_t columns = std::min<hsize_t>(kTile, static_cast<hsize_t>(shape_.width) - x);
-  values.assign(rows * columns * n, 0);
-  std::vector<hsize_t> start = {y, x}, count = {rows, columns};
-  const std::size_t rank = shape_of(shape_, what).size();
-  if (rank == 3) {
-    start.push_back(0);
-    count.push_back(n);
-  } else if (rank == 4) {
-    const auto p = static_cast<hsize_t>(plane), channels = static_cast<hsize_t>(shape_.channels);
-    start.insert(start.begin(), {p / channels, p % channels});
-    count.insert(count.begin(), {1, 1});
+int DumpSource::width_of(const TilePlace& place) const {
+  return std::min(kTile, shape_.width - place.column * kTile);
+}
+
+int DumpSource::height_of(const TilePlace& place) const {
+  return std::min(kTile, shape_.height - place.row * kTile);
+}
+
+std::vector<hsize_t> DumpSource::offset_of(const TilePlace& place) const {
+  std::vector<hsize_t> offset = {static_cast<hsize_t>(place.row) * kTile,
+                                 static_cast<hsize_t>(place.column) * kTile};
+  const std::size_t rank = shape_of(shape_, kCanvasDatasets[place.dataset]).size();
+  if (rank == 3) offset.push_back(0);
+  const auto p = static_cast<hsize_t>(place.plane),
+             channels = static_cast<hsize_t>(shape_.channels);
+  if (rank == 4) offset.insert(offset.begin(), {p / channels, p % channels});
+  return offset;
+}
+
+/// Takes the chunk out of the file, and unpacks it while other threads may use libhdf5. False if it
+/// is not as the writer packs it.
+bool DumpSource::load_packed(const TilePlace& place, TileValues& values) const {
+  const std::optional<PackedChunks>& chunks = packed_[place.dataset];
+  if (!chunks) return false;
+  std::optional<std::vector<std::uint8_t>> packed;
+  {
+    const std::lock_guard<std::mutex> lock(library());
+    const Silence silence;
+    packed = chunks->fetch(offset_of(place));
   }
+  if (!packed) return false;
+  values.assign(1, 0);
+  if (packed->empty()) return true;
+  const std::size_t n = at(cell_values(shape_, kCanvasDatasets[place.dataset]));
+  const std::size_t pitch = at(std::min(kTile, shape_.width)) * n;
+  TileValues chunk(pitch * at(std::min(kTile, shape_.height)));
+  if (!unpack_chunk(*packed, chunk)) return false;
+  // Chunks at the right and the lower edge go on beyond it.
+  const std::size_t row = at(width_of(place)) * n, rows = at(height_of(place));
+  for (std::size_t y = 1; y < rows && row < pitch; ++y)
+    std::copy_n(chunk.begin() + diff(y * pitch), row, chunk.begin() + diff(y * row));
+  chunk.resize(row * rows);
+  values = std::move(chunk);
+  return true;
+}
+
+/// Lets libhdf5 unpack what the file has. False if it cannot.
+bool DumpSource::load_selected(const TilePlace& place, TileValues& values) const {
+  const std::size_t index = place.dataset;
+  const CanvasDataset& what = kCanvasDatasets[index];
+  const std::vector<hsize_t> start = offset_of(place);
+  const auto n = static_cast<hsize_t>(cell_values(shape_, what));
+  const auto rows = static_cast<hsize_t>(height_of(place));
+  const auto columns = static_cast<hsize_t>(width_of(place));
+  values.assign(rows * columns * n, 0);
+  std::vector<hsize_t> count = {rows, columns};
+  if (start.size() == 3) count.push_back(n);
+  if (start.size() == 4) count.insert(count.begin(), {1, 1});
   const std::lock_guard<std::mutex> lock(library());
   const Silence silence;
   const Handle space(H5Dget_space(datasets_[index].id()), H5Sclose);
   // The memory has the same shape as the selection in the file; otherwise HDF5 copies value by
   // value.
-  const Handle memory(H5Screate_simple(static_cast<int>(rank), count.data(), nullptr), H5Sclose);
+  const Handle memory(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr),
+                      H5Sclose);
   return H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, start.data(), nullptr, count.data(),
                              nullptr) >= 0 &&
          H5Dread(datasets_[index].id(), what.is_integer ? H5T_NATIVE_UINT32 : H5T_NATIVE_FLOAT,
                  memory.id(), space.id(), H5P_DEFAULT, values.data()) >= 0;
 }
 
-void DumpSource::make_room() const {
-  while (held_bytes_ > cache_bytes_ && !tiles_.empty()) {
-    const auto oldest = tiles_.find(ages_.back());
-    held_bytes_ -= oldest->second.values.size() * sizeof(std::uint32_t);
-    tiles_.erase(oldest);
-    ages_.pop_back();
-  }
-}
-
-const DumpSource::ReadTile& DumpSource::tile(const Key& key) const {
-  if (const auto found = tiles_.find(key); found != tiles_.end()) {
-    ages_.splice(ages_.begin(), ages_, found->second.age);
-    return found->second;
-  }
-  ReadTile made;
-  const CanvasDataset& what = kCanvasDatasets[std::get<0>(key)];
-  const bool read = load(key, made.values);
-  const std::string problem = read ? value_problem(what, made.values) : "cannot be read";
+/// Reads a tile. What cannot be read, or has a wrong value, is noted and reads as 0.
+KeptTile DumpSource::load(const TilePlace& place) const {
+  const CanvasDataset& what = kCanvasDatasets[place.dataset];
+  TileValues values;
+  const bool read = load_packed(place, values) || load_selected(place, values);
+  if (are_alike(values)) values.resize(1);
+  const std::string problem = read ? value_problem(what, values) : "cannot be read";
   if (!problem.empty()) {
+    const std::lock_guard<std::mutex> lock(mutex_);
     if (!problem_)
       problem_ = Error{ErrorCode::kBadInput, fmt::format("{}: {} {}", path_, what.name, problem)};
-    std::fill(made.values.begin(), made.values.end(), 0u);
+    values.assign(1, 0);
   }
-  ages_.push_front(key);
-  made.age = ages_.begin();
-  held_bytes_ += made.values.size() * sizeof(std::uint32_t);
-  make_room();
-  return tiles_.emplace(key, std::move(made)).first->second;
+  const std::size_t n = at(cell_values(shape_, what));
+  if (values.size() > 1 && n > 1) values = values_apart(values, n);
+  return std::make_shared<const TileValues>(std::move(values));
 }
 
-void DumpSource::read_run(std::size_t dataset, int plane, int value, int x, int y,
-                          std::span<std::uint32_t> out) const {
-  const int n = cell_values(shape_, kCanvasDatasets[dataset]);
-  const std::lock_guard<std::mutex> lock(mutex_);
+KeptTile DumpSource::tile(const TilePlace& place) const {
+  return tiles_.get(place.key(), [&] { return load(place); });
+}
+
+bool DumpSource::empty(const CellWindow& window) const {
+  bool all = true;
+  const auto look_at = [&](const TilePlace& place) {
+    const KeptTile values = all ? tile(place) : nullptr;
+    all = all && values->size() == 1 && (values->front() & ~kSignBit) == 0;
+  };
+  for_tiles(window, [&](int row, int column) {
+    for (const PlaneKind kind : {PlaneKind::kDepth, PlaneKind::kVelocityX, PlaneKind::kVelocityY})
+      look_at({dataset_of(kind), 0, row, column});
+    for (int p = 0; p < shape_.layers * shape_.channels; ++p)
+      look_at({dataset_of(PlaneKind::kPigment), p, row, column});
+  });
+  return all;
+}
+
+void DumpSource::expect(const CellWindow& window, std::span<const PlaneId> planes,
+                        const Threads& threads) const {
+  std::map<std::uint64_t, TilePlace> places;
+  std::size_t bytes = 0;
+  for (const PlaneId& plane : planes)
+    for_tiles(window, [&](int row, int column) {
+      const std::size_t dataset = dataset_of(plane.kind);
+      const TilePlace place{dataset, plane_in(plane), row, column};
+      if (places.emplace(place.key(), place).second)
+        bytes += at(kTile) * at(kTile) * at(cell_values(shape_, kCanvasDatasets[dataset])) *
+                 sizeof(std::uint32_t);
+    });
+  // More than is kept would be read twice.
+  if (bytes > tiles_.most_bytes() / 2) return;
+  std::vector<TilePlace> list;
+  for (const auto& [key, place] : places) list.push_back(place);
+  threads.for_ranges(0, static_cast<int>(list.size()), 1, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) tile(list[at(i)]);
+  });
+}
+
+int DumpSource::plane_in(const PlaneId& plane) const {
+  return plane.kind == PlaneKind::kPigment ? plane.layer * shape_.channels + plane.index : 0;
+}
+
+template <typename Value>
+void DumpSource::read_cells(std::size_t dataset, int plane, int value, int x, int y,
+                            std::span<Value> out) const {
   for (std::size_t done = 0; done < out.size();) {
-    const int column = x / kTile, left = column * kTile;
-    const int width = std::min(kTile, shape_.width - left);
-    const int run = std::min(left + width - x, static_cast<int>(out.size() - done));
-    const ReadTile& from = tile({dataset, plane, y / kTile, column});
-    const std::uint32_t* in = from.values.data() + ((y % kTile) * width + x - left) * n + value;
-    for (int i = 0; i < run; ++i, in += n) out[done++] = *in;
-    x += run;
+    const TilePlace place = {dataset, plane, y / kTile, x / kTile};
+    const int left = x % kTile;
+    const std::size_t run = std::min(at(kTile - left), out.size() - done);
+    const KeptTile values = tile(place);
+    if (values->size() == 1) {
+      std::fill_n(&out[done], run, std::bit_cast<Value>(values->front()));
+    } else {
+      const std::size_t first = at((value * height_of(place) + y % kTile) * width_of(place) + left);
+      std::memcpy(&out[done], values->data() + first, run * sizeof(Value));
+    }
+    x += static_cast<int>(run);
+    done += run;
   }
 }
 
 void DumpSource::read(PlaneId plane, int x, int y, std::span<float> out) const {
-  std::vector<std::uint32_t> bits(out.size());
-  const bool pigment = plane.kind == PlaneKind::kPigment;
-  read_run(dataset_of(plane.kind), pigment ? plane.layer * shape_.channels + plane.index : 0,
-           plane.kind == PlaneKind::kReflectance ? plane.index : 0, x, y, bits);
+  const int value = plane.kind == PlaneKind::kReflectance ? plane.index : 0;
+  read_cells(dataset_of(plane.kind), plane_in(plane), value, x, y, out);
   // Velocities point up in a dump.
-  const std::uint32_t flip = plane.kind == PlaneKind::kVelocityY ? kSignBit : 0;
-  for (std::size_t i = 0; i < out.size(); ++i) out[i] = std::bit_cast<float>(bits[i] ^ flip);
+  if (plane.kind == PlaneKind::kVelocityY)
+    for (float& v : out) v = -v;
 }
 
 void DumpSource::read_strokes(int x, int y, std::span<std::uint32_t> out) const {
-  read_run(index_of("/layers/stroke"), 0, 0, x, y, out);
+  read_cells(index_of("/layers/stroke"), 0, 0, x, y, out);
 }
 
 }  // namespace pentimento::hdf5

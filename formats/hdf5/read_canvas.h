@@ -20,6 +20,7 @@ struct DumpFile {
   const std::string& path;
   const Rehearsal& rehearsal;
   const std::atomic<bool>* cancelled;  // nullptr: nothing
+  int threads = 1;
   /// Ok, or kInterrupted.
   Result<void> go_on() const { return unless_interrupted(cancelled); }
 };

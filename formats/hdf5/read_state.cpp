@@ -28,21 +28,22 @@ Result<void> check_signature(const std::string& path) {
 
 /// `whole`: the values of the detail canvas too, which are read when they are needed.
 Result<StateDump> read_here(const std::string& path, bool whole, const hdf5::Rehearsal& rehearsal,
-                            const std::atomic<bool>* cancelled) {
+                            const DumpReadOptions& options) {
   const hdf5::Silence silence;
   const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
   if (!file.ok()) return Error{ErrorCode::kBadInput, path + ": a damaged or cut short HDF5 file"};
-  return hdf5::read_dump({file.id(), path, rehearsal, cancelled}, whole);
+  return hdf5::read_dump({file.id(), path, rehearsal, options.cancelled, options.threads}, whole);
 }
 
 /// Reads all of it in a child.
-Result<void> rehearse_reading(const std::string& path, const std::atomic<bool>* cancelled) {
-  return hdf5::rehearse(path, cancelled, [&](const hdf5::Rehearsal& rehearsal) -> Result<void> {
-    hdf5::load_no_filters();
-    const Result<StateDump> dump = read_here(path, true, rehearsal, nullptr);
-    if (!dump) return dump.error();
-    return {};
-  });
+Result<void> rehearse_reading(const std::string& path, const DumpReadOptions& options) {
+  return hdf5::rehearse(
+      path, options.cancelled, [&](const hdf5::Rehearsal& rehearsal) -> Result<void> {
+        hdf5::load_no_filters();
+        const Result<StateDump> dump = read_here(path, true, rehearsal, {options.threads, nullptr});
+        if (!dump) return dump.error();
+        return {};
+      });
 }
 
 }  // namespace
@@ -54,16 +55,16 @@ Result<bool> is_hdf5_file(const std::string& path) {
   return *head == kSignature;
 }
 
-Result<StateDump> read_state(const std::string& path, const std::atomic<bool>* cancelled) {
+Result<StateDump> read_state(const std::string& path, const DumpReadOptions& options) {
   if (const Result<void> signed_file = check_signature(path); !signed_file)
     return signed_file.error();
-  if (const Result<void> right = rehearse_reading(path, cancelled); !right) return right.error();
-  return read_here(path, false, {}, cancelled);
+  if (const Result<void> right = rehearse_reading(path, options); !right) return right.error();
+  return read_here(path, false, {}, options);
 }
 
 Result<void> hdf5::check_dump_file(const std::string& file, const std::string& name,
-                                   const std::atomic<bool>* cancelled) {
-  const Result<void> right = rehearse_reading(file, cancelled);
+                                   const DumpReadOptions& options) {
+  const Result<void> right = rehearse_reading(file, options);
   if (right || right.error().code == ErrorCode::kInterrupted) return right;
   return Error{ErrorCode::kIo,
                fmt::format("{}: what was read back differs from what was written: {}", name,

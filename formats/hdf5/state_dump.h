@@ -51,6 +51,11 @@ struct DumpOptions {
   const std::atomic<bool>* cancelled = nullptr;  // set from a signal handler
 };
 
+struct DumpReadOptions {
+  int threads = 1;
+  const std::atomic<bool>* cancelled = nullptr;  // set from a signal handler
+};
+
 /// How a dump names itself, and the newest version known here.
 inline constexpr const char* kStateFormat = "pentimento-state";
 inline constexpr int kStateVersion = 2;  // 2: with a detail canvas; without, 1 is written
@@ -73,7 +78,7 @@ Result<Published> write_state(const std::string& path, const StateDump& dump,
                               const DumpOptions& options);
 /// Reads a dump. Errors: kIo; kLimit; kBadInput with the reason (not a dump, newer version, wrong
 /// shape, a value out of range, a hash that differs); kInterrupted once `cancelled` is set.
-Result<StateDump> read_state(const std::string& path, const std::atomic<bool>* cancelled = nullptr);
+Result<StateDump> read_state(const std::string& path, const DumpReadOptions& options = {});
 /// Whether a file is HDF5 by its first bytes. Does not wait for what comes through a pipe. Errors:
 /// kIo; kBadInput if it is no file but a pipe or a device.
 Result<bool> is_hdf5_file(const std::string& path);

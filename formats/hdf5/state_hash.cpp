@@ -62,7 +62,7 @@ class RowsAhead {
   }
 
  private:
-  static constexpr std::size_t kValuesAhead = std::size_t{1} << 18;
+  static constexpr std::size_t kValuesAhead = std::size_t{1} << 20;
 
   bool stopped() const {
     return cancelled_ != nullptr && cancelled_->load(std::memory_order_relaxed);

@@ -269,7 +269,7 @@ Result<std::unique_ptr<OutputFile>> complete_state(const std::string& path, cons
   if (const Result<void> read = dump.fine->status(); !read) return read.error();
   if (!streamed) return no_memory;
   const Result<Published> whole = output.complete([&](const std::string& temporary) {
-    return hdf5::check_dump_file(temporary, path, options.cancelled);
+    return hdf5::check_dump_file(temporary, path, {options.threads, options.cancelled});
   });
   if (!whole) return whole.error();
   return file;

@@ -131,7 +131,7 @@ Result<JobReport> relight(const RelightJob& job, const Control& control) {
   if (job.light.follow_gravity) {
     return Error{ErrorCode::kUsage, "--light gravity: a state dump does not know the gravity"};
   }
-  Result<StateDump> dump = read_state(job.state, control.cancelled);
+  Result<StateDump> dump = read_state(job.state, {job.threads, control.cancelled});
   if (!dump) return dump.error();
   Result<LightOverride> light = LightOverride::make(job.light);
   if (!light) return light.error();

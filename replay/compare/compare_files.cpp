@@ -7,9 +7,9 @@ namespace {
 constexpr std::int64_t kMostPixels = std::int64_t{1} << 29;  // posters: 6 GB a picture
 
 Result<Comparison> compare_dumps(const std::string& a, const std::string& b, int thread_count) {
-  const Result<StateDump> left = read_state(a);
+  const Result<StateDump> left = read_state(a, {thread_count});
   if (!left) return left.error();
-  const Result<StateDump> right = read_state(b);
+  const Result<StateDump> right = read_state(b, {thread_count});
   if (!right) return right.error();
   return compare_states(*left, *right, Threads(thread_count));
 }

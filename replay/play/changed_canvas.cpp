@@ -23,6 +23,17 @@ class ChangedCanvas final : public CanvasSource {
     canvas_->read_strokes(x, y, out);
   }
   bool empty(const CellWindow& window) const override { return canvas_->empty(window); }
+  void expect(const CellWindow& window, std::span<const PlaneId> planes,
+              const Threads& threads) const override {
+    // A channel may be made of any that the canvas has in its layer.
+    std::vector<PlaneId> read;
+    for (const PlaneId& plane : planes) {
+      if (plane.kind != PlaneKind::kPigment) read.push_back(plane);
+      for (int c = 0; plane.kind == PlaneKind::kPigment && c < to_.cols(); ++c)
+        if (to_(plane.index, c) > 0) read.push_back(pigment_plane(plane.layer, c));
+    }
+    canvas_->expect(window, read, threads);
+  }
   Result<void> status() const override { return canvas_->status(); }
 
   void read(PlaneId plane, int x, int y, std::span<float> out) const override {

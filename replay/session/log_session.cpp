@@ -58,8 +58,9 @@ Result<void> check_optics(const std::string& path, const LogSession& session,
 }
 
 /// The log's planes and palette continue those of the dump.
-Result<void> start_from(const std::string& path, LogSession& session, const Control& control) {
-  Result<StateDump> dump = read_state(path, control.cancelled);
+Result<void> start_from(const RenderJob& job, LogSession& session, const Control& control) {
+  const std::string& path = job.from;
+  Result<StateDump> dump = read_state(path, {job.threads, control.cancelled});
   if (!dump) return dump.error();
   const CanvasGeometry& canvas = dump->state.geometry;
   if (canvas.width_m != session.canvas.width_m || canvas.height_m != session.canvas.height_m) {
@@ -202,8 +203,7 @@ Result<LogSession> open_session(const RenderJob& job, const Control& control) {
   session.palette = session.plan.palette;
   session.basis = make_channels(session.palette.pigments(), session.maker.wavelength_nm());
   if (!job.from.empty()) {
-    if (Result<void> started = start_from(job.from, session, control); !started)
-      return started.error();
+    if (Result<void> started = start_from(job, session, control); !started) return started.error();
   }
   Result<OutputSize> size = output_size(job.size, session.canvas);
   if (!size) return size.error();

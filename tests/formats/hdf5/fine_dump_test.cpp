@@ -1,10 +1,14 @@
 // Dumps of a canvas finer than the guide, written and read part by part.
 #include <gtest/gtest.h>
+#include <hdf5.h>
 #include <sys/resource.h>
 
+#include <atomic>
 #include <csignal>
 #include <filesystem>
 
+#include "formats/hdf5/handle.h"
+#include "formats/hdf5/layout.h"
 #include "formats/hdf5/state_dump.h"
 #include "formats/hdf5/xdmf.h"
 #include "formats/io/describe.h"
@@ -67,6 +71,105 @@ TEST(FineDump, GivesBackBothCanvases) {
   ASSERT_TRUE(back->fine);
   expect_same_canvas(*back->fine, *dump.fine);
   EXPECT_TRUE(back->fine->status());
+}
+
+/// Writes the canvas's datasets anew: `change` says how they lie in the file, without it in one
+/// piece.
+void repack(const std::string& path, void (*change)(hid_t list, int rank)) {
+  const hdf5::Handle file(H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
+  for (const hdf5::CanvasDataset& what : hdf5::kCanvasDatasets) {
+    const hdf5::Handle old(H5Dopen2(file.id(), what.name, H5P_DEFAULT), H5Dclose);
+    const hdf5::Handle space(H5Dget_space(old.id()), H5Sclose);
+    const hid_t type = what.is_integer ? H5T_NATIVE_UINT32 : H5T_NATIVE_FLOAT;
+    std::vector<std::uint32_t> values(
+        static_cast<std::size_t>(H5Sget_simple_extent_npoints(space.id())));
+    ASSERT_GE(H5Dread(old.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), 0);
+    ASSERT_GE(H5Ldelete(file.id(), what.name, H5P_DEFAULT), 0);
+    const hdf5::Handle list(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+    if (change != nullptr) change(list.id(), H5Sget_simple_extent_ndims(space.id()));
+    const hdf5::Handle dataset(
+        H5Dcreate2(file.id(), what.name, type, space.id(), H5P_DEFAULT, list.id(), H5P_DEFAULT),
+        H5Dclose);
+    ASSERT_GE(H5Dwrite(dataset.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), 0);
+  }
+}
+
+TEST(FineDump, IsReadHoweverItLiesInTheFile) {
+  const Scratch scratch;
+  const StateDump dump = made_up_detail_dump(8);  // 488 x 376 cells: whole tiles and parts of some
+  constexpr auto kOtherChunks = [](hid_t list, int rank) {
+    std::vector<hsize_t> chunk(static_cast<std::size_t>(rank), 1);
+    chunk[rank == 3 ? 0 : chunk.size() - 2] = 100;
+    chunk[rank == 3 ? 1 : chunk.size() - 1] = 77;
+    H5Pset_chunk(list, rank, chunk.data());
+    H5Pset_deflate(list, 1);
+  };
+  for (void (*change)(hid_t, int) : {static_cast<void (*)(hid_t, int)>(nullptr), +kOtherChunks}) {
+    ASSERT_TRUE(write_state(scratch.path("a.h5"), dump, {}));
+    repack(scratch.path("a.h5"), change);
+    const auto back = read_state(scratch.path("a.h5"));
+    ASSERT_TRUE(back) << back.error().message;
+    expect_same_canvas(*back->fine, *dump.fine);
+    // It does not know which of its parts are bare.
+    EXPECT_FALSE(back->fine->empty({0, 0, 1, 1}));
+  }
+}
+
+TEST(FineDump, SeveralThreadsReadIt) {
+  const Scratch scratch;
+  const StateDump dump = made_up_detail_dump(11);
+  ASSERT_TRUE(write_state(scratch.path("a.h5"), dump, {}));
+  const auto back = read_state(scratch.path("a.h5"), {7, nullptr});
+  ASSERT_TRUE(back) << back.error().message;
+  const CanvasSource& fine = *back->fine;
+  const Threads threads(7);
+  const std::vector<PlaneId> planes = {
+      {PlaneKind::kDepth}, reflectance_plane(1), pigment_plane(1, 2)};
+  fine.expect({0, 0, fine.geometry().width, fine.geometry().height}, planes, threads);
+  std::atomic<int> wrong{0};
+  threads.for_ranges(0, fine.geometry().height, 1, [&](int begin, int end) {
+    const auto width = static_cast<std::size_t>(fine.geometry().width);
+    std::vector<float> x(width), y(width);
+    for (int row = begin; row < end; ++row)
+      for (const PlaneId plane : planes) {
+        fine.read(plane, 0, row, x);
+        dump.fine->read(plane, 0, row, y);
+        if (x != y) ++wrong;
+      }
+  });
+  EXPECT_EQ(wrong, 0);
+  EXPECT_TRUE(fine.status());
+}
+
+TEST(FineDump, KnowsWhereNothingIsWet) {
+  // Paint in one corner: within the first of the file's chunks.
+  class Corner : public MadeUpCanvas {
+   public:
+    using MadeUpCanvas::MadeUpCanvas;
+    void read(PlaneId plane, int x, int y, std::span<float> out) const override {
+      for (float& v : out) {
+        const bool wet = plane.kind != PlaneKind::kBase && plane.kind != PlaneKind::kPaper &&
+                         plane.kind != PlaneKind::kReflectance;
+        v = wet && (x > 90 || y > 90) ? 0.0f : value(plane, x, y);
+        // All alike in the last column of chunks, but not 0.
+        if (plane == pigment_plane(1, 2) && x >= 512) v = 0.01f;
+        ++x;
+      }
+    }
+  };
+  const Scratch scratch;
+  StateDump dump = made_up_detail_dump(11);  // 671 x 517 cells
+  dump.fine = std::make_shared<Corner>(dump.fine->geometry(), 2, dump.state.channels);
+  ASSERT_TRUE(write_state(scratch.path("a.h5"), dump, {}));
+  const auto back = read_state(scratch.path("a.h5"));
+  ASSERT_TRUE(back) << back.error().message;
+  EXPECT_FALSE(back->fine->empty({0, 0, 10, 10}));
+  EXPECT_FALSE(back->fine->empty({250, 0, 20, 10}));
+  EXPECT_FALSE(back->fine->empty({0, 250, 10, 20}));
+  EXPECT_TRUE(back->fine->empty({256, 0, 256, 517}));
+  EXPECT_TRUE(back->fine->empty({0, 256, 512, 261}));
+  EXPECT_TRUE(back->fine->empty({511, 516, 1, 1}));
+  EXPECT_FALSE(back->fine->empty({512, 516, 1, 1}));
 }
 
 TEST(FineDump, TheGuideIsThatOfADumpWithoutDetail) {
