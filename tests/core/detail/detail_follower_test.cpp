@@ -184,17 +184,37 @@ TEST(DetailFollower, LocksAStampsCellsAndTheRingAroundThem) {
   EXPECT_EQ(changed.y1, box.y1 + 1);
 }
 
+/// A step of a canvas of 64 x 48 cells with the brush in the air.
+struct StepWithoutBrush {
+  explicit StepWithoutBrush(const CanvasState& guide)
+      : amount(static_cast<std::size_t>(guide.channels), 1.0f) {}
+  const Threads threads{1};
+  const Model model;
+  const BrushContact contact = make_brush_contact(64, 48);
+  const std::vector<float> amount;
+  const StepInput in{model, {0, 0, 9.81f}, 1.0f / 45, contact, amount, threads};
+};
+
+TEST(DetailFollower, LocksAStampThatChangedTheFineCellsAlone) {
+  test::Painted painted(64, 2);
+  painted.stroke(0, 0.05, 0.07, 0.15, 0.07);
+  const CanvasState guide = clone_state(painted.sim().state());
+  painted.stamp_once(0.1, 0.07);
+  // The guide holds what it held before the stamp.
+  const StepWithoutBrush step(guide);
+  painted.follower().stepped(guide, step.in);
+  for (int c = -1; c < guide.channels; ++c)
+    EXPECT_LT(test::reduced_difference(painted.follower().canvas(), guide, c).relative_l2, kExact)
+        << "channel " << c;
+}
+
 TEST(DetailFollower, EdgesOfAPartOfAStepDoNotMoveTheNext) {
   // paint_edges.h: the follower puts back to 0 what the scheme wrote.
   test::Painted painted(64, 2);
   painted.stroke(0, 0.05, 0.07, 0.15, 0.07);
   const CanvasState& guide = painted.sim().state();
   DetailFollower& follower = painted.follower();
-  const Threads threads(1);
-  const Model model;
-  const BrushContact contact = make_brush_contact(64, 48);
-  const std::vector<float> amount(static_cast<std::size_t>(guide.channels), 1.0f);
-  const StepInput in{model, {0, 0, 9.81f}, 1.0f / 45, contact, amount, threads};
+  const StepWithoutBrush step(guide);
   std::vector<conservative::Run> runs;
   for (int y = 10; y < 40; ++y) runs.push_back({y, 8, 56});
   PaintEdges& edges = follower.edges();
@@ -202,7 +222,7 @@ TEST(DetailFollower, EdgesOfAPartOfAStepDoNotMoveTheNext) {
     for (const conservative::Run& run : runs)
       for (int x = run.x0; x < run.x1; ++x)
         edges.x[quantity](x, run.y) = edges.y[quantity](x, run.y) = 0.25f;
-  follower.moved(guide, in, runs);
+  follower.moved(guide, step.in, runs);
   for (std::size_t quantity = 0; quantity < edges.x.size(); ++quantity)
     for (int y = 0; y < 48; ++y)
       for (int x = 0; x < 64; ++x) {
