@@ -182,6 +182,8 @@ Result<void> rehearse(const std::string& path, const std::atomic<bool>* cancelle
   };
   int ends[2] = {-1, -1};
   if (pipe2(ends, O_CLOEXEC) != 0) return not_started();
+  // What waits in buffers of stdio would be in the child's, too, and a sanitizer writes them out.
+  std::fflush(nullptr);
   const pid_t parent = getpid();
   const pid_t child = fork();
   if (child == 0) {

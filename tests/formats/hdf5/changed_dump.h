@@ -26,7 +26,8 @@ class ChangedDump : public testing::Test {
   void mend() { ASSERT_TRUE(write_state(path_, made_up_dump(9, 7, 2, 3), {})); }
   void SetUp() override {
     mend();
-    ASSERT_TRUE(read_state(path_));
+    const auto back = read_state(path_);
+    ASSERT_TRUE(back) << back.error().message;
   }
 
   /// Error message without the file's name; "fine" if there is none.
