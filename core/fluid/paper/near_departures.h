@@ -13,7 +13,8 @@
 
 namespace pentimento::paper {
 
-inline constexpr int kTogether = 64;  // cells of a row, at most
+inline constexpr int kTogether = 64;       // cells of a row, at most
+inline constexpr int kLeastTogether = 16;  // where the points of more lie too far apart
 
 /// Where the paint of some cells of a row came from.
 struct NearDepartures {
@@ -77,16 +78,26 @@ inline float interpolate_near(const NearDepartures& d, int i, const Value& value
   return mix(top, bottom, d.fy[at]);
 }
 
+/// near(x, n), or if that returns false the same for each half of the cells, down to
+/// kLeastTogether.
+template <typename Near, typename Plainly>
+void near_or_plainly(int x, int n, const Near& near, const Plainly& plainly) {
+  if (near(x, n)) return;
+  if (n <= kLeastTogether) return plainly(x, x + n);
+  near_or_plainly(x, n / 2, near, plainly);
+  near_or_plainly(x + n / 2, n - n / 2, near, plainly);
+}
+
 /// Goes along cells of a row: near(x, n) for up to `together` cells that have neighbours on both
-/// sides, and plainly(begin, end) for the others and where near() returns false.
+/// sides, fewer where it returns false, and plainly(begin, end) for the others and where near()
+/// returns false for few.
 template <typename Near, typename Plainly>
 void for_near_cells(Columns cells, int width, int together, Near near, Plainly plainly) {
   const int first = std::min(std::max(cells.begin, 1), cells.end);
   const int last = std::max(std::min(cells.end, width - 1), first);
   if (cells.begin < first) plainly(cells.begin, first);
   for (int x = first; x < last; x += together) {
-    const int n = std::min(together, last - x);
-    if (!near(x, n)) plainly(x, x + n);
+    near_or_plainly(x, std::min(together, last - x), near, plainly);
   }
   if (last < cells.end) plainly(last, cells.end);
 }
