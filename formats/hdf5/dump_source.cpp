@@ -196,7 +196,7 @@ KeptTile DumpSource::load(const TilePlace& place) const {
   const CanvasDataset& what = kCanvasDatasets[place.dataset];
   TileValues values;
   const bool read = load_packed(place, values) || load_selected(place, values);
-  if (are_alike(values)) values.resize(1);
+  if (are_alike(values)) values = TileValues(1, values.front());  // gives the others' memory back
   const std::string problem = read ? value_problem(what, values) : "cannot be read";
   if (!problem.empty()) {
     const std::lock_guard<std::mutex> lock(mutex_);
