@@ -65,7 +65,7 @@ class ColourRows {
     values_.resize(planes_.size());
   }
 
-  /// Besides depth.
+  /// All but the depth, one plane of many.
   std::span<const PlaneId> planes() const { return planes_; }
 
   AlbedoCells read(int j) {
@@ -135,10 +135,10 @@ class WindowCoverage {
 void pack_albedo(const CanvasSource& canvas, const AlbedoOptics& optics, EdgeCells edges,
                  const CellWindow& window, const Threads& threads, std::vector<float>& texels) {
   texels.resize(4 * cells(window));
-  const bool has_paint = !canvas.empty(WindowRows(canvas, window).on_grid());
+  const CellWindow on_grid = WindowRows(canvas, window).on_grid();
+  const bool has_paint = !canvas.empty(on_grid);
   const auto row = 4 * static_cast<std::size_t>(window.width);
-  canvas.expect(WindowRows(canvas, window).on_grid(),
-                ColourRows(canvas, window, has_paint).planes(), threads);
+  canvas.expect(on_grid, ColourRows(canvas, window, has_paint).planes(), threads);
   threads.for_ranges(0, window.height, kGrain, [&](int begin, int end) {
     ColourRows rows(canvas, window, has_paint);
     WindowCoverage coverage(canvas, window);

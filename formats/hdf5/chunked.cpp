@@ -32,8 +32,8 @@ struct ChunkPlace {
   std::uint64_t plane = 0, y = 0, x = 0;
 };
 
-Grid grid_of(const RowSource& source) {
-  const std::vector<std::uint64_t>& shape = source.shape;
+/// `chunk_side`: as in RowSource.
+Grid grid_of(const std::vector<std::uint64_t>& shape, std::uint64_t chunk_side) {
   Grid grid;
   if (shape.size() == 3) {
     grid.ny = shape[0];
@@ -45,15 +45,15 @@ Grid grid_of(const RowSource& source) {
     for (std::size_t i = 0; i + 2 < shape.size(); ++i) grid.planes *= shape[i];
   }
   if (grid.empty()) return grid;
-  grid.chunk_nx = source.chunk_side > 0 ? std::min(grid.nx, source.chunk_side) : grid.nx;
-  const std::uint64_t rows = source.chunk_side > 0
-                                 ? source.chunk_side
+  grid.chunk_nx = chunk_side > 0 ? std::min(grid.nx, chunk_side) : grid.nx;
+  const std::uint64_t rows = chunk_side > 0
+                                 ? chunk_side
                                  : std::max<std::uint64_t>(1, kChunkValues / (grid.nx * grid.cell));
   grid.chunk_ny = std::min(grid.ny, rows);
   return grid;
 }
 
-std::vector<hsize_t> chunk_shape(const Grid& grid, std::size_t rank) {
+std::vector<hsize_t> chunk_of(const Grid& grid, std::size_t rank) {
   if (rank == 3) return {grid.chunk_ny, grid.chunk_nx, grid.cell};
   if (rank == 2) return {grid.chunk_ny, grid.chunk_nx};
   return {1, 1, grid.chunk_ny, grid.chunk_nx};
@@ -104,7 +104,7 @@ Handle creation_list(const Grid& grid, std::size_t rank, int level) {
   Handle list(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
   H5Pset_obj_track_times(list.id(), false);  // equal states give equal bytes
   if (grid.empty()) return list;
-  H5Pset_chunk(list.id(), static_cast<int>(rank), chunk_shape(grid, rank).data());
+  H5Pset_chunk(list.id(), static_cast<int>(rank), chunk_of(grid, rank).data());
   H5Pset_shuffle(list.id());
   H5Pset_deflate(list.id(), static_cast<unsigned>(level));
   return list;
@@ -135,10 +135,15 @@ bool write_chunks(hid_t dataset, const RowSource& source, const Grid& grid, int 
 
 }  // namespace
 
+std::vector<hsize_t> chunk_shape(const std::vector<std::uint64_t>& shape,
+                                 std::uint64_t chunk_side) {
+  return chunk_of(grid_of(shape, chunk_side), shape.size());
+}
+
 hid_t write_chunked(hid_t file, const std::string& name, hid_t type, const RowSource& source,
                     int deflate_level, const Threads& threads) {
   PENTIMENTO_CHECK(source.shape.size() >= 2 && source.shape.size() <= 4);
-  const Grid grid = grid_of(source);
+  const Grid grid = grid_of(source.shape, source.chunk_side);
   const std::vector<hsize_t> shape(source.shape.begin(), source.shape.end());
   const Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr),
                      H5Sclose);

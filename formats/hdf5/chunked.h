@@ -29,6 +29,9 @@ struct RowSource {
   std::function<bool(const CellWindow&)> zero;
 };
 
+/// The shape of the chunks of such a dataset; `chunk_side` and `shape` as in RowSource.
+std::vector<hsize_t> chunk_shape(const std::vector<std::uint64_t>& shape, std::uint64_t chunk_side);
+
 /// Creates and fills the dataset `name` of type `type` (4 bytes, native). Chunks of nothing but
 /// zero bits are left out: they read as zero. Returns the dataset, or a negative number.
 hid_t write_chunked(hid_t file, const std::string& name, hid_t type, const RowSource& source,

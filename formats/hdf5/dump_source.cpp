@@ -9,13 +9,13 @@
 #include <map>
 #include <string_view>
 
+#include "formats/hdf5/chunked.h"
 #include "formats/hdf5/objects.h"
 
 namespace pentimento::hdf5 {
 
 namespace {
 
-constexpr int kTile = 256;  // cells a side: the writer's chunk
 constexpr std::uint32_t kSignBit = 0x80000000u;
 
 std::size_t at(int i) {
@@ -44,8 +44,9 @@ bool are_alike(const TileValues& values) {
 /// Calls visit(row, column) for the tiles that a window on the grid touches.
 template <typename Visit>
 void for_tiles(const CellWindow& window, const Visit& visit) {
-  for (int row = window.y / kTile; row * kTile < window.y + window.height; ++row)
-    for (int column = window.x / kTile; column * kTile < window.x + window.width; ++column)
+  for (int row = window.y / kChunkSide; row * kChunkSide < window.y + window.height; ++row)
+    for (int column = window.x / kChunkSide; column * kChunkSide < window.x + window.width;
+         ++column)
       visit(row, column);
 }
 
@@ -59,18 +60,6 @@ std::size_t index_of(std::string_view name) {
   std::size_t i = 0;
   while (std::string_view(kCanvasDatasets[i].name) != name) ++i;
   return i;
-}
-
-/// The shape of the writer's chunks.
-std::vector<hsize_t> written_chunk(const CanvasShape& canvas, const CanvasDataset& dataset) {
-  const std::vector<std::uint64_t> shape = shape_of(canvas, dataset);
-  std::vector<hsize_t> chunk(shape.begin(), shape.end());
-  const std::size_t y_axis = chunk.size() == 3 ? 0 : chunk.size() - 2;
-  for (std::size_t axis = 0; axis < chunk.size(); ++axis) {
-    if (axis < y_axis) chunk[axis] = 1;
-    if (axis == y_axis || axis == y_axis + 1) chunk[axis] = std::min<hsize_t>(chunk[axis], kTile);
-  }
-  return chunk;
 }
 
 std::size_t dataset_of(PlaneKind kind) {
@@ -109,7 +98,7 @@ Result<std::shared_ptr<const DumpSource>> DumpSource::open(const DumpFile& from,
       return Error{ErrorCode::kBadInput,
                    fmt::format("{}: {} cannot be read", from.path, what.name)};
     source->packed_.push_back(PackedChunks::of(source->datasets_.back().id(), what.is_integer,
-                                               written_chunk(shape, what)));
+                                               chunk_shape(shape_of(shape, what), kChunkSide)));
   }
   return std::shared_ptr<const DumpSource>(std::move(source));
 }
@@ -121,16 +110,16 @@ Result<void> DumpSource::status() const {
 }
 
 int DumpSource::width_of(const TilePlace& place) const {
-  return std::min(kTile, shape_.width - place.column * kTile);
+  return std::min(kChunkSide, shape_.width - place.column * kChunkSide);
 }
 
 int DumpSource::height_of(const TilePlace& place) const {
-  return std::min(kTile, shape_.height - place.row * kTile);
+  return std::min(kChunkSide, shape_.height - place.row * kChunkSide);
 }
 
 std::vector<hsize_t> DumpSource::offset_of(const TilePlace& place) const {
-  std::vector<hsize_t> offset = {static_cast<hsize_t>(place.row) * kTile,
-                                 static_cast<hsize_t>(place.column) * kTile};
+  std::vector<hsize_t> offset = {static_cast<hsize_t>(place.row) * kChunkSide,
+                                 static_cast<hsize_t>(place.column) * kChunkSide};
   const std::size_t rank = shape_of(shape_, kCanvasDatasets[place.dataset]).size();
   if (rank == 3) offset.push_back(0);
   const auto p = static_cast<hsize_t>(place.plane),
@@ -154,8 +143,8 @@ bool DumpSource::load_packed(const TilePlace& place, TileValues& values) const {
   values.assign(1, 0);
   if (packed->empty()) return true;
   const std::size_t n = at(cell_values(shape_, kCanvasDatasets[place.dataset]));
-  const std::size_t pitch = at(std::min(kTile, shape_.width)) * n;
-  TileValues chunk(pitch * at(std::min(kTile, shape_.height)));
+  const std::size_t pitch = at(std::min(kChunkSide, shape_.width)) * n;
+  TileValues chunk(pitch * at(std::min(kChunkSide, shape_.height)));
   if (!unpack_chunk(*packed, chunk)) return false;
   // Chunks at the right and the lower edge go on beyond it.
   const std::size_t row = at(width_of(place)) * n, rows = at(height_of(place));
@@ -237,8 +226,8 @@ void DumpSource::expect(const CellWindow& window, std::span<const PlaneId> plane
       const std::size_t dataset = dataset_of(plane.kind);
       const TilePlace place{dataset, plane_in(plane), row, column};
       if (places.emplace(place.key(), place).second)
-        bytes += at(kTile) * at(kTile) * at(cell_values(shape_, kCanvasDatasets[dataset])) *
-                 sizeof(std::uint32_t);
+        bytes += at(kChunkSide) * at(kChunkSide) *
+                 at(cell_values(shape_, kCanvasDatasets[dataset])) * sizeof(std::uint32_t);
     });
   // More than is kept would be read twice.
   if (bytes > tiles_.most_bytes() / 2) return;
@@ -257,14 +246,15 @@ template <typename Value>
 void DumpSource::read_cells(std::size_t dataset, int plane, int value, int x, int y,
                             std::span<Value> out) const {
   for (std::size_t done = 0; done < out.size();) {
-    const TilePlace place = {dataset, plane, y / kTile, x / kTile};
-    const int left = x % kTile;
-    const std::size_t run = std::min(at(kTile - left), out.size() - done);
+    const TilePlace place = {dataset, plane, y / kChunkSide, x / kChunkSide};
+    const int left = x % kChunkSide;
+    const std::size_t run = std::min(at(kChunkSide - left), out.size() - done);
     const KeptTile values = tile(place);
     if (values->size() == 1) {
       std::fill_n(&out[done], run, std::bit_cast<Value>(values->front()));
     } else {
-      const std::size_t first = at((value * height_of(place) + y % kTile) * width_of(place) + left);
+      const std::size_t first =
+          at((value * height_of(place) + y % kChunkSide) * width_of(place) + left);
       std::memcpy(&out[done], values->data() + first, run * sizeof(Value));
     }
     x += static_cast<int>(run);

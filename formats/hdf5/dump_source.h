@@ -44,6 +44,7 @@ class DumpSource final : public CanvasSource {
   Result<void> status() const override;
 
  private:
+  /// A tile is what one of the writer's chunks holds.
   struct TilePlace {
     std::size_t dataset = 0;  // index in kCanvasDatasets
     int plane = 0;            // within it

@@ -37,6 +37,10 @@ inline constexpr std::array<CanvasDataset, 9> kCanvasDatasets = {{
     {"/fluid/height", "m", "height of the surface: base + depth", -2e3f, 2e3f, false, true},
 }};
 
+/// Cells along a side of the chunks of a detail canvas. They are square, for it is read part by
+/// part, and a part needs few of them.
+inline constexpr int kChunkSide = 256;
+
 /// The numbers from which all shapes follow.
 struct CanvasShape {
   int width = 0, height = 0;  // cells

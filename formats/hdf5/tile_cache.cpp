@@ -1,5 +1,8 @@
 #include "formats/hdf5/tile_cache.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace pentimento::hdf5 {
 
 namespace {

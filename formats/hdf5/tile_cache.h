@@ -2,7 +2,6 @@
 // Tiles of 4-byte values that were read from a file, those that were used last. For this folder
 // only.
 
-#include <algorithm>
 #include <atomic>
 #include <condition_variable>
 #include <cstdint>

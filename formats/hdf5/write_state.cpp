@@ -32,8 +32,6 @@ constexpr std::size_t kImageGrowth = std::size_t{4} << 20;
 constexpr const char* kGroups[] = {"/fluid",   "/canvas",   "/layers",
                                    "/palette", "/lighting", "/provenance"};
 constexpr const char* kGuideGroups[] = {"/guide", "/guide/fluid", "/guide/canvas", "/guide/layers"};
-// A canvas that is later read part by part gets square chunks, so that a part needs few of them.
-constexpr std::uint64_t kTileSide = 256;
 
 struct Hashes {
   std::string state, guide;
@@ -189,7 +187,7 @@ bool write_canvases(hid_t file, const StateDump& dump, int level, const Threads&
   if (!dump.fine)
     return hdf5::write_canvas(file, guide, {"", 0, level}, threads) &&
            hdf5::write_sleep(file, "", dump.state);
-  bool ok = hdf5::write_canvas(file, *dump.fine, {"", kTileSide, level}, threads);
+  bool ok = hdf5::write_canvas(file, *dump.fine, {"", hdf5::kChunkSide, level}, threads);
   for (const char* group : kGuideGroups) ok = ok && hdf5::make_group(file, group);
   return ok && hdf5::write_canvas(file, guide, {"/guide", 0, level}, threads) &&
          hdf5::write_sleep(file, "/guide", dump.state) &&

@@ -98,12 +98,15 @@ void repack(const std::string& path, void (*change)(hid_t list, int rank)) {
 
 TEST(FineDump, IsReadHoweverItLiesInTheFile) {
   const Scratch scratch;
-  const StateDump dump = made_up_detail_dump(8);  // 488 x 376 cells: whole tiles and parts of some
+  const StateDump dump = made_up_detail_dump(11);  // 671 x 517 cells: whole tiles and parts of some
   constexpr auto kOtherChunks = [](hid_t list, int rank) {
     std::vector<hsize_t> chunk(static_cast<std::size_t>(rank), 1);
-    chunk[rank == 3 ? 0 : chunk.size() - 2] = 100;
-    chunk[rank == 3 ? 1 : chunk.size() - 1] = 77;
+    // As many values as in the writer's chunks.
+    chunk[rank == 3 ? 0 : chunk.size() - 2] = 128;
+    chunk[rank == 3 ? 1 : chunk.size() - 1] = 512;
+    if (rank == 3) chunk[2] = 3;
     H5Pset_chunk(list, rank, chunk.data());
+    H5Pset_shuffle(list);
     H5Pset_deflate(list, 1);
   };
   for (void (*change)(hid_t, int) : {static_cast<void (*)(hid_t, int)>(nullptr), +kOtherChunks}) {
