@@ -22,17 +22,19 @@ struct CanvasDataset {
   float least = 0, most = 0;
   bool is_integer = false;  // uint32, else float32; has no bounds
   bool is_derived = false;  // follows from others: not in the hash, not read
+  bool is_paint = false;    // all bits are 0 where CanvasSource::empty() holds
 };
 
-/// In the order of the hash.
+/// In the order of the hash. (velocity_y, which is negated, is -0 where nothing moves.)
 inline constexpr std::array<CanvasDataset, 9> kCanvasDatasets = {{
-    {"/fluid/depth", "m", "depth of the wet paint", 0, 1e3f},
-    {"/fluid/velocity_x", "m/s", "surface velocity to the right", -1e4f, 1e4f},
+    {"/fluid/depth", "m", "depth of the wet paint", 0, 1e3f, false, false, true},
+    {"/fluid/velocity_x", "m/s", "surface velocity to the right", -1e4f, 1e4f, false, false, true},
     {"/fluid/velocity_y", "m/s", "surface velocity upwards", -1e4f, 1e4f},
     {"/canvas/base", "m", "paper relief and dried paint", -1e3f, 1e3f},
     {"/canvas/paper", "m", "paper relief", -1e3f, 1e3f},
     {"/canvas/reflectance", "1", "reflectance of the dry layer, per band", 0, 1.001f},
-    {"/layers/pigment", "1", "amount of each channel in each layer, bottom layer first", 0, 1e9f},
+    {"/layers/pigment", "1", "amount of each channel in each layer, bottom layer first", 0, 1e9f,
+     false, false, true},
     {"/layers/stroke", "1", "the last stroke that touched the cell, 0 = none", 0, 0, true},
     {"/fluid/height", "m", "height of the surface: base + depth", -2e3f, 2e3f, false, true},
 }};

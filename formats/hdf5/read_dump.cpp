@@ -355,10 +355,11 @@ Result<void> StateReader::open_fine(StateDump& dump) const {
 
 Result<void> StateReader::check_fine(const StateDump& dump) const {
   if (!dump.fine) return {};
-  // One thread reads while another hashes; more would only take addresses, which a trial has few
-  // of.
+  // More than two would take addresses, which a trial has few of.
   const Threads threads(from_.threads == 1 ? 1 : 2);
-  const std::string hash = state_sha256(*dump.fine, threads, from_.cancelled);
+  const bool serial = hdf5::whole_attribute(root_.id(), "format_version") <= kSerialVersion;
+  const std::string hash = serial ? serial_sha256(*dump.fine, from_.cancelled)
+                                  : detail_sha256(*dump.fine, threads, from_.cancelled);
   if (Result<void> go = from_.go_on(); !go) return go;
   if (const Result<void> read = dump.fine->status(); !read) return read;
   if (hash == dump.state_sha256) return {};

@@ -58,16 +58,20 @@ struct DumpReadOptions {
 
 /// How a dump names itself, and the newest version known here.
 inline constexpr const char* kStateFormat = "pentimento-state";
-inline constexpr int kStateVersion = 2;  // 2: with a detail canvas; without, 1 is written
-/// The version in the first line of what is hashed. It has not changed since version 1 of the dump.
-inline constexpr int kHashVersion = 1;
+inline constexpr int kPlainVersion = 1;   // without a detail canvas
+inline constexpr int kSerialVersion = 2;  // with one, which has the hash of serial_sha256()
+inline constexpr int kStateVersion = 3;   // with one, which has the hash of detail_sha256()
 
-/// SHA-256 (hex) of the state's values, as docs/state-format.md defines it: the same for any
-/// number of threads, chunking and file. Once `cancelled` is set, of a part of the values only.
+// SHA-256 (hex) of a state's values, as docs/state-format.md defines it: the same for any number of
+// threads, chunking and file. Once `cancelled` is set, of a part of the values only.
+
+/// Of a state of the simulation's own grid.
 std::string state_sha256(const CanvasState& state, const std::atomic<bool>* cancelled = nullptr);
-/// The same for a canvas on which nothing sleeps, from its planes alone.
-std::string state_sha256(const CanvasSource& canvas, const Threads& threads = Threads(1),
-                         const std::atomic<bool>* cancelled = nullptr);
+/// Of a detail canvas: the hash of the hashes of its parts, which all threads compute.
+std::string detail_sha256(const CanvasSource& canvas, const Threads& threads = Threads(1),
+                          const std::atomic<bool>* cancelled = nullptr);
+/// Of a detail canvas as state_sha256() hashes a state, for dumps of version 2.
+std::string serial_sha256(const CanvasSource& canvas, const std::atomic<bool>* cancelled = nullptr);
 
 /// Writes the dump's file whole under a temporary name; OutputFile::publish() gives it its own
 /// name. Without the .xdmf file. Errors: kIo, kLimit, kUsage, kInterrupted.

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <map>
+#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -16,10 +18,31 @@ namespace pentimento {
 
 namespace {
 
+using hdf5::CanvasDataset;
+using hdf5::CanvasShape;
+using hdf5::kChunkSide;
+
+// The version in the first line of what is hashed.
+constexpr int kWholeVersion = 1;    // a dataset's values follow its line
+constexpr int kInPartsVersion = 2;  // the hashes of its parts follow
+
 /// The hash is of little-endian values.
 void to_little_endian(std::span<std::uint32_t> values) {
   if constexpr (std::endian::native == std::endian::big)
     for (std::uint32_t& v : values) v = __builtin_bswap32(v);
+}
+
+bool is_cancelled(const std::atomic<bool>* cancelled) {
+  return cancelled != nullptr && cancelled->load(std::memory_order_relaxed);
+}
+
+std::string first_lines(int version, std::int64_t step) {
+  return fmt::format("{} {}\nstep {}\n", kStateFormat, version, step);
+}
+
+std::string line_of(const CanvasShape& canvas, const CanvasDataset& dataset) {
+  return fmt::format("{} {} {}\n", dataset.name, dataset.is_integer ? "uint32" : "float32",
+                     fmt::join(hdf5::shape_of(canvas, dataset), " "));
 }
 
 void add_sleep(const CanvasState& state, Sha256& hash) {
@@ -32,87 +55,131 @@ void add_sleep(const CanvasState& state, Sha256& hash) {
   hash.update(bits.data(), bits.size() * sizeof(std::uint32_t));
 }
 
-/// Rows of a dataset, read ahead while others are hashed.
-class RowsAhead {
- public:
-  RowsAhead(const CanvasSource& canvas, const hdf5::CanvasDataset& dataset,
-            std::size_t values_per_row, const std::atomic<bool>* cancelled)
-      : canvas_(canvas),
-        dataset_(dataset),
-        cancelled_(cancelled),
-        width_(values_per_row),
-        rows_(hdf5::row_count(canvas, dataset)),
-        at_once_(std::max<std::int64_t>(
-            1, static_cast<std::int64_t>(kValuesAhead / std::max<std::size_t>(1, width_)))) {}
+void add_rows(const CanvasSource& canvas, const CanvasDataset& dataset,
+              const std::atomic<bool>* cancelled, Sha256& hash) {
+  const int values = hdf5::cell_values(hdf5::shape_of(canvas), dataset);
+  std::vector<std::uint32_t> row(static_cast<std::size_t>(canvas.geometry().width) *
+                                 static_cast<std::size_t>(values));
+  for (std::int64_t y = 0; y < hdf5::row_count(canvas, dataset) && !is_cancelled(cancelled); ++y) {
+    hdf5::copy_cells(canvas, dataset, y, 0, row);
+    to_little_endian(row);
+    hash.update(row.data(), row.size() * sizeof(std::uint32_t));
+  }
+}
 
-  void add_to(Sha256& hash, const Threads& threads) {
-    read(0, ready_);
-    for (std::int64_t y = 0; y < rows_ && !stopped(); y += at_once_) {
-      threads.for_ranges(0, 2, 1, [&](int begin, int end) {
-        for (int i = begin; i < end; ++i) {
-          if (i == 0) {
-            hash.update(ready_.data(), ready_.size() * sizeof(std::uint32_t));
-          } else {
-            read(y + at_once_, next_);
-          }
-        }
-      });
-      std::swap(ready_, next_);
-    }
+Sha256 whole_planes(const CanvasSource& canvas, const std::atomic<bool>* cancelled) {
+  Sha256 hash;
+  hash.update(first_lines(kWholeVersion, canvas.step()));
+  for (const CanvasDataset& dataset : hdf5::kCanvasDatasets) {
+    if (dataset.is_derived) continue;
+    hash.update(line_of(hdf5::shape_of(canvas), dataset));
+    add_rows(canvas, dataset, cancelled, hash);
+  }
+  return hash;
+}
+
+bool are_alike(std::span<const std::uint32_t> values) {
+  return std::memcmp(values.data(), values.data() + 1, values.size_bytes() - sizeof(values[0])) ==
+         0;
+}
+
+/// Hashes of parts whose values are all alike, each computed once.
+class AlikeParts {
+ public:
+  Sha256Bytes hash(std::uint32_t value, std::size_t count) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const auto known = known_.find({value, count});
+    if (known != known_.end()) return known->second;
+    const std::vector<std::uint32_t> values(count, value);
+    return known_[{value, count}] = sha256(values.data(), count * sizeof(value));
   }
 
  private:
-  static constexpr std::size_t kValuesAhead = std::size_t{1} << 20;
+  std::mutex mutex_;  // of what follows
+  std::map<std::pair<std::uint32_t, std::size_t>, Sha256Bytes> known_;
+};
 
-  bool stopped() const {
-    return cancelled_ != nullptr && cancelled_->load(std::memory_order_relaxed);
+/// Of a dataset in parts of kChunkSide x kChunkSide cells of one plane, which are cut at the right
+/// and the lower edge of the canvas. They count plane by plane, then from the top down, then from
+/// the left.
+class HashedParts {
+ public:
+  HashedParts(const CanvasSource& canvas, const CanvasDataset& dataset, AlikeParts& alike)
+      : canvas_(canvas),
+        dataset_(dataset),
+        alike_(alike),
+        cell_values_(hdf5::cell_values(hdf5::shape_of(canvas), dataset)),
+        columns_((canvas.geometry().width + kChunkSide - 1) / kChunkSide),
+        rows_((canvas.geometry().height + kChunkSide - 1) / kChunkSide) {}
+
+  int count() const {
+    const std::int64_t planes =
+        hdf5::row_count(canvas_, dataset_) / std::max(1, canvas_.geometry().height);
+    return static_cast<int>(planes) * rows_ * columns_;
   }
-  void read(std::int64_t first, std::vector<std::uint32_t>& out) const {
-    const std::int64_t rows = std::clamp<std::int64_t>(rows_ - first, 0, at_once_);
-    out.resize(static_cast<std::size_t>(rows) * width_);
-    for (std::int64_t i = 0; i < rows; ++i)
-      hdf5::copy_cells(canvas_, dataset_, first + i, 0,
-                       {out.data() + static_cast<std::size_t>(i) * width_, width_});
+
+  /// `work` is memory that calls of one thread share.
+  Sha256Bytes hash(int part, std::vector<std::uint32_t>& work) const {
+    const CanvasGeometry& grid = canvas_.geometry();
+    const int x = part % columns_ * kChunkSide, y = part / columns_ % rows_ * kChunkSide;
+    const CellWindow window = {x, y, std::min(kChunkSide, grid.width - x),
+                               std::min(kChunkSide, grid.height - y)};
+    const std::int64_t row = std::int64_t{part / columns_ / rows_} * grid.height + y;
+    const std::size_t count = size(window.width) * size(window.height) * size(cell_values_);
+    if (dataset_.is_paint && canvas_.empty(window)) return alike_.hash(0, count);
+    read(window, row, work);
+    return are_alike(work) ? alike_.hash(work.front(), count)
+                           : sha256(work.data(), count * sizeof(work[0]));
+  }
+
+ private:
+  static std::size_t size(int n) { return static_cast<std::size_t>(n); }
+  /// `row` is where the window begins in the dataset.
+  void read(const CellWindow& window, std::int64_t row, std::vector<std::uint32_t>& out) const {
+    const std::size_t width = size(window.width) * size(cell_values_);
+    out.resize(width * size(window.height));
+    for (int y = 0; y < window.height; ++y)
+      hdf5::copy_cells(canvas_, dataset_, row + y, window.x,
+                       std::span(out).subspan(size(y) * width, width));
     to_little_endian(out);
   }
 
   const CanvasSource& canvas_;
-  const hdf5::CanvasDataset& dataset_;
-  const std::atomic<bool>* cancelled_;
-  std::size_t width_;
-  std::int64_t rows_, at_once_;
-  std::vector<std::uint32_t> ready_, next_;
+  const CanvasDataset& dataset_;
+  AlikeParts& alike_;
+  int cell_values_;
+  int columns_, rows_;  // of parts
 };
-
-void add_planes(const CanvasSource& canvas, Sha256& hash, const Threads& threads,
-                const std::atomic<bool>* cancelled) {
-  hash.update(fmt::format("{} {}\nstep {}\n", kStateFormat, kHashVersion, canvas.step()));
-  const hdf5::CanvasShape shape = hdf5::shape_of(canvas);
-  for (const hdf5::CanvasDataset& dataset : hdf5::kCanvasDatasets) {
-    if (dataset.is_derived) continue;
-    hash.update(fmt::format("{} {} {}\n", dataset.name, dataset.is_integer ? "uint32" : "float32",
-                            fmt::join(hdf5::shape_of(shape, dataset), " ")));
-    RowsAhead(canvas, dataset,
-              static_cast<std::size_t>(canvas.geometry().width) *
-                  static_cast<std::size_t>(hdf5::cell_values(shape, dataset)),
-              cancelled)
-        .add_to(hash, threads);
-  }
-}
 
 }  // namespace
 
 std::string state_sha256(const CanvasState& state, const std::atomic<bool>* cancelled) {
-  Sha256 hash;
-  add_planes(StateSource(state), hash, Threads(1), cancelled);
+  Sha256 hash = whole_planes(StateSource(state), cancelled);
   if (!state.sleep.empty()) add_sleep(state, hash);
   return hash.hex();
 }
 
-std::string state_sha256(const CanvasSource& canvas, const Threads& threads,
-                         const std::atomic<bool>* cancelled) {
+std::string serial_sha256(const CanvasSource& canvas, const std::atomic<bool>* cancelled) {
+  return whole_planes(canvas, cancelled).hex();
+}
+
+std::string detail_sha256(const CanvasSource& canvas, const Threads& threads,
+                          const std::atomic<bool>* cancelled) {
   Sha256 hash;
-  add_planes(canvas, hash, threads, cancelled);
+  hash.update(first_lines(kInPartsVersion, canvas.step()));
+  AlikeParts alike;
+  for (const CanvasDataset& dataset : hdf5::kCanvasDatasets) {
+    if (dataset.is_derived) continue;
+    hash.update(line_of(hdf5::shape_of(canvas), dataset));
+    const HashedParts parts(canvas, dataset, alike);
+    std::vector<Sha256Bytes> hashes(static_cast<std::size_t>(parts.count()));
+    threads.for_ranges(0, parts.count(), 1, [&](int begin, int end) {
+      std::vector<std::uint32_t> work;
+      for (int i = begin; i < end && !is_cancelled(cancelled); ++i)
+        hashes[static_cast<std::size_t>(i)] = parts.hash(i, work);
+    });
+    for (const Sha256Bytes& part : hashes) hash.update(part.data(), part.size());
+  }
   return hash.hex();
 }
 

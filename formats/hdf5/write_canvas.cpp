@@ -1,22 +1,11 @@
 #include "formats/hdf5/write_canvas.h"
 
-#include <string_view>
-
 #include "formats/hdf5/chunked.h"
 #include "formats/hdf5/handle.h"
 #include "formats/hdf5/layout.h"
 #include "formats/hdf5/write_small.h"
 
 namespace pentimento::hdf5 {
-
-namespace {
-/// Where there is no paint, all bits of these datasets are zero. (Not those of velocity_y, which is
-/// negated.)
-bool is_paint(const CanvasDataset& what) {
-  const std::string_view name = what.name;
-  return name == "/fluid/depth" || name == "/layers/pigment";
-}
-}  // namespace
 
 bool write_canvas(hid_t file, const CanvasSource& canvas, const CanvasWriting& how,
                   const Threads& threads) {
@@ -27,7 +16,7 @@ bool write_canvas(hid_t file, const CanvasSource& canvas, const CanvasWriting& h
       copy_cells(canvas, what, row, x, out);
     };
     source.chunk_side = how.chunk_side;
-    if (is_paint(what)) source.zero = [&](const CellWindow& part) { return canvas.empty(part); };
+    if (what.is_paint) source.zero = [&](const CellWindow& part) { return canvas.empty(part); };
     const hid_t type = what.is_integer ? H5T_NATIVE_UINT32 : H5T_NATIVE_FLOAT;
     const Handle dataset(
         write_chunked(file, how.group + what.name, type, source, how.deflate_level, threads),

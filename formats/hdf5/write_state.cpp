@@ -165,7 +165,8 @@ bool write_root(hid_t file, const StateDump& dump, const Hashes& hashes,
   const hid_t id = root.id();
   const std::string software = provenance_value(provenance, "software");
   bool ok = set_attribute(id, "format", std::string_view(kStateFormat)) &&
-            set_attribute(id, "format_version", std::int64_t{dump.fine ? kStateVersion : 1}) &&
+            set_attribute(id, "format_version",
+                          std::int64_t{dump.fine ? kStateVersion : kPlainVersion}) &&
             set_attribute(id, "canvas_width_m", dump.state.geometry.width_m) &&
             set_attribute(id, "canvas_height_m", dump.state.geometry.height_m) &&
             set_attribute(id, "step", dump.state.step) &&
@@ -247,7 +248,7 @@ Result<std::unique_ptr<OutputFile>> complete_state(const std::string& path, cons
   hashes.guide = state_sha256(dump.state);
   hashes.state = !dump.fine ? hashes.guide
                  : dump.state_sha256.empty()
-                     ? state_sha256(*dump.fine, Threads(1), options.cancelled)
+                     ? detail_sha256(*dump.fine, Threads(options.threads), options.cancelled)
                      : dump.state_sha256;
   std::string image;
   const Error no_memory = {ErrorCode::kLimit, path + ": no memory to build the state dump"};

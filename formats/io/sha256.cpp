@@ -2,8 +2,6 @@
 
 #include <openssl/evp.h>
 
-#include <array>
-
 #include "core/base/check.h"
 
 namespace pentimento {
@@ -27,21 +25,31 @@ void Sha256::update(const void* bytes, std::size_t count) {
   PENTIMENTO_CHECK(EVP_DigestUpdate(digest_->context, bytes, count) == 1);
 }
 
-std::string Sha256::hex() const {
+Sha256Bytes Sha256::bytes() const {
   // Finishes a copy, so that the original can take more bytes.
   Digest copy;
-  std::array<unsigned char, EVP_MAX_MD_SIZE> bytes{};
+  Sha256Bytes bytes{};
   unsigned int count = 0;
   PENTIMENTO_CHECK(EVP_MD_CTX_copy_ex(copy.context, digest_->context) == 1);
   PENTIMENTO_CHECK(EVP_DigestFinal_ex(copy.context, bytes.data(), &count) == 1);
+  PENTIMENTO_CHECK(count == bytes.size());
+  return bytes;
+}
+
+std::string Sha256::hex() const {
   static constexpr char kDigits[] = "0123456789abcdef";
   std::string text;
-  text.reserve(2 * count);
-  for (unsigned int i = 0; i < count; ++i) {
-    text += kDigits[bytes[i] >> 4];
-    text += kDigits[bytes[i] & 15];
+  for (const std::uint8_t byte : bytes()) {
+    text += kDigits[byte >> 4];
+    text += kDigits[byte & 15];
   }
   return text;
+}
+
+Sha256Bytes sha256(const void* bytes, std::size_t count) {
+  Sha256 sha;
+  sha.update(bytes, count);
+  return sha.bytes();
 }
 
 std::string sha256_hex(std::string_view bytes) {

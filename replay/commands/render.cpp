@@ -298,7 +298,7 @@ Origin Replay::origin(const Lighting& lighting) const {
 void Replay::hash(const CanvasView& view) {
   report_.guide_sha256 = state_sha256(simulation_->state());
   report_.state_sha256 =
-      view.detail > 1 ? state_sha256(*view.canvas, threads_) : report_.guide_sha256;
+      view.detail > 1 ? detail_sha256(*view.canvas, threads_) : report_.guide_sha256;
 }
 
 Result<void> Replay::write(const std::vector<PlannedOutput>& files) {

@@ -45,7 +45,7 @@ StateDump through_a_file(Painted& from) {
 
 std::string hash_of(Painted& painted) {
   painted.follower().finish_stamps();
-  return state_sha256(DetailSource(painted.follower().canvas(), painted.sim().state()));
+  return detail_sha256(DetailSource(painted.follower().canvas(), painted.sim().state()));
 }
 
 int waiting_cells(const DetailCheckpoint& checkpoint) {

@@ -22,8 +22,8 @@ using test::Scratch;
 class BadDump : public test::ChangedDump {};
 
 TEST_F(BadDump, ANewerVersionIsNamed) {
-  EXPECT_EQ(after([](hid_t f) { set_number(f, "format_version", 3); }),
-            "format version 3 is newer than the 2 known here");
+  EXPECT_EQ(after([](hid_t f) { set_number(f, "format_version", 4); }),
+            "format version 4 is newer than the 3 known here");
   EXPECT_EQ(code_, ErrorCode::kBadInput);
 }
 

@@ -5,6 +5,7 @@
 
 #include "core/fluid/conservative/tiles/sleep_tiles.h"
 #include "formats/hdf5/state_dump.h"
+#include "tests/reference/made_up_canvas.h"
 
 namespace pentimento::test {
 
@@ -97,6 +98,17 @@ inline StateDump made_up_dump(int width, int height, int layers, int pigments) {
     s.sleep.push_back(static_cast<float>(random() % 1024) / 1023.0f);
   dump.lighting = made_up_lighting();
   dump.log_sha256 = std::string(64, 'a');
+  return dump;
+}
+
+/// A guide of 61 x 47 cells under a canvas k times finer.
+inline StateDump made_up_detail_dump(int k, int layers = 2, int pigments = 3) {
+  StateDump dump = made_up_dump(61, 47, layers, pigments);
+  dump.detail = k;
+  CanvasGeometry fine = dump.state.geometry;
+  fine.width *= k;
+  fine.height *= k;
+  dump.fine = std::make_shared<reference::MadeUpCanvas>(fine, layers, dump.state.channels);
   return dump;
 }
 

@@ -42,7 +42,7 @@ TEST(ReadDump, TheDetailCanvasKeepsTheFileOpen) {
   const auto back = read(file, false);
   ASSERT_TRUE(back) << back.error().message;
   file = {};
-  EXPECT_EQ(state_sha256(*back->fine), state_sha256(*dump.fine));
+  EXPECT_EQ(detail_sha256(*back->fine), detail_sha256(*dump.fine));
   EXPECT_TRUE(back->fine->status());
 }
 

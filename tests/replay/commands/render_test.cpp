@@ -28,7 +28,7 @@ TEST(Render, ReportAndFilesNameTheLogTheStateAndTheGuideBelowAFinerCanvas) {
   const auto dump = read_state(folder.path("a.h5"));
   ASSERT_TRUE(dump) << dump.error().message;
   EXPECT_EQ(report.guide_sha256, plain.state_sha256);
-  EXPECT_EQ(report.state_sha256, state_sha256(*dump->fine));  // counted from what was written
+  EXPECT_EQ(report.state_sha256, detail_sha256(*dump->fine));  // counted from what was written
   EXPECT_NE(report.state_sha256, report.guide_sha256);
   EXPECT_EQ(report.log_sha256, sha256sum(folder.path("a.jsonl")));
   EXPECT_EQ(report.detail, 2);
