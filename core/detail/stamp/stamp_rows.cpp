@@ -21,11 +21,12 @@ void measure_row(const StampPlan& given, const BristleTable& grip, const TipRow&
   const float v0 = tip.v0, dv = tip.dv;
   float* __restrict hold = out.hold;
   float* __restrict share = out.share;
-  PENTIMENTO_INDEPENDENT
-  for (int i = 0; i < n; ++i) {
+  // Two loops: the second is one of vectors, which the table keeps the first from being.
+  for (int i = 0; i < n; ++i)
     hold[i] = stamp_hold(plan, grip, value[i], v0 + dv * static_cast<float>(i));
+  PENTIMENTO_INDEPENDENT
+  for (int i = 0; i < n; ++i)
     share[i] = plan.share_scale * stamp_levelled(plan, value[i], 0.0f, base[i], depth[i]);
-  }
 }
 
 /// For a blade, after measure_row(): corrects the values under its ends.
@@ -244,9 +245,17 @@ void StampRows::deposit(const QueuedStamp& stamp, int y, const CellRange& touche
   if (!sample(stamp, y, touched, depth)) return;
   const LayerRow cells = row(y, 0);
   const std::span<const BlockLayers> layers = stamp.layers_in(y / k);
+  const auto target_at = [&](int x) {
+    return layers[at((x0_ + x) / k - stamp.blocks().x0)].target;
+  };
+  const auto next_block = [&](int x) {
+    return std::min(touched.end, ((x0_ + x) / k + 1) * k - x0_);
+  };
   for (int x = touched.begin; x < touched.end;) {
-    const int block = (x0_ + x) / k, end = std::min(touched.end, (block + 1) * k - x0_);
-    const int target = layers[at(block - stamp.blocks().x0)].target;
+    // Cells of blocks side by side that get the paint in the same layer.
+    const int target = target_at(x);
+    int end = next_block(x);
+    while (end < touched.end && target_at(end) == target) end = next_block(end);
     const std::size_t first = at(x - touched.begin);
     for (std::size_t c = 0; target >= 0 && c < channels_->size(); ++c)
       add_paint(part_.data() + first, paint_.data() + first * at(stride) + 1 + at((*channels_)[c]),

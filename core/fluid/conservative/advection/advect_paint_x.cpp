@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "core/base/fetch_ahead.h"
 #include "core/fluid/conservative/advection/advection.h"
 #include "core/fluid/conservative/advection/crowd_limit.h"
 #include "core/fluid/conservative/advection/layer_speed_row.h"
@@ -100,6 +101,9 @@ class PaintRow {
   // Finds which layers the cells have, where these lie in the film, and which share of the bottom
   // layer may move.
   void find_layers() {
+    if (r_.y + kRowsAhead < state_.geometry.height)
+      for (const Field<float>& plane : state_.pigment)
+        fetch_ahead(plane.row(r_.y + kRowsAhead) + r_.x0, n_);
     std::fill_n(cells(share_), n_, 0.0f);
     std::fill_n(cells(total_), n_, 0.0f);
     std::fill_n(cells(below_), n_, 0.0f);

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "core/base/fetch_ahead.h"
 #include "core/fluid/conservative/advection/advection.h"
 #include "core/fluid/conservative/advection/crowd_limit.h"
 #include "core/fluid/conservative/advection/layer_speed_row.h"
@@ -196,6 +197,8 @@ class PaintStream {
   // how the layers' edges move on either side of it.
   void prepare(int r) {
     if (!edges_.any_moves(r - 1, r + 2)) return;
+    if (r + kRowsAhead < b_.height())
+      for (Field<float>& plane : state_.pigment) fetch_ahead(row_of(plane, r + kRowsAhead), n_);
     float* total = total_.row(0);
     float* below = below_.row(0);
     float* share = share_.row(r);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/fetch_ahead.h"
 #include "core/fluid/conservative/solve/multigrid_rows.h"
 
 namespace pentimento::conservative {
@@ -51,6 +52,14 @@ template <typename Level>
 void invert_diagonal(Level& l, const Run& r) {
   inverse_diagonal_row(stencil_at(l.cx, l.cy, r.x0, r.y), l.z_row(r.y) + r.x0, r.size(),
                        l.inverse.row(r.y) + r.x0);
+}
+// Asks for the system of a row that the sweeps come to soon.
+template <typename Level>
+void fetch_system(const Level& l, const Run& r) {
+  const int y = r.y + kRowsAhead;
+  if (y >= l.x.height()) return;
+  for (const WorkPlane* plane : {&l.cx, &l.cy, &l.inverse, &l.rhs, &l.x, &l.other})
+    fetch_ahead(plane->row(y) + r.x0, r.size());
 }
 // Restriction to a run of the coarse level: first the system, then the residual, which is the right
 // side there.
@@ -142,6 +151,7 @@ void Multigrid::start(const Job& job, bool and_restrict, const Threads& threads)
   const WorkPlane& guess = job.guess != nullptr ? *job.guess : fine.x;
   const int filled = std::max(1, static_cast<int>(fill.size()));
   for_stages(threads, fine.index, filled + (and_restrict ? 5 : 3), [&](int stage, const Run& r) {
+    if (stage == 0) fetch_system(fine, r);
     // The caller's stages fill the system.
     if (stage < static_cast<int>(fill.size())) fill[static_cast<std::size_t>(stage)](r);
     // Smoothing: the inverse diagonal, then two sweeps from the guess.
@@ -194,6 +204,7 @@ void Multigrid::ascend(int l, bool and_descend, const RowWork& finish, const Thr
   const int stages = and_descend ? 7 : finish ? 4 : 3;
   for_stages(threads, here.index, stages, [&](int stage, const Run& r) {
     // Prolongation, then two sweeps: the end of this V-cycle.
+    if (stage == 0) fetch_system(here, r);
     if (stage == 0) add_correction(here, coarse, r);
     if (stage == 1) sweep(here, r, here.x, here.other, kWeightA);
     if (stage == 2) sweep(here, r, here.other, here.x, kWeightB);
