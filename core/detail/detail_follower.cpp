@@ -35,7 +35,7 @@ DetailFollower::DetailFollower(DetailFollowerSetup setup, const DetailSubstrate&
       canvas_(DetailLayout(setup_.guide, setup_.factor), setup_.layers, setup_.channels,
               setup_.bands, substrate, store),
       stamp_(canvas_, setup_.amount, threads),
-      lock_(canvas_.layout(), setup_.layers),
+      lock_(canvas_.layout()),
       edges_(setup_.guide, setup_.layers),
       changed_(canvas_.layout()),
       reworked_(canvas_.layout()),

@@ -14,10 +14,12 @@ void enlarge(const Field<float>& guide, DetailCanvas& canvas, const DetailTile& 
   if (!plane && !canvas.make(plane)) return;
   std::fill_n(plane.data(), static_cast<std::size_t>(side) * static_cast<std::size_t>(side), 1.0f);
   std::vector<float> mean(static_cast<std::size_t>(tile.box.width()));
-  for (int y = tile.box.y0; y < tile.box.y1; ++y)
-    scale_by_field(
-        ratio_rows(guide, tile.box.x0, y),
-        block_row(plane.data(), canvas.layout(), {tile.tile, y, tile.box.x0, tile.box.x1}), mean);
+  for (int y = tile.box.y0; y < tile.box.y1; ++y) {
+    const BlockStrip strip = {tile.tile, y, tile.box.x0, tile.box.x1};
+    RatiosAround value;
+    read_around(guide, strip, value);
+    scale_by_field(value.from(0), block_row(plane.data(), canvas.layout(), strip), mean);
+  }
 }
 
 bool has_dried(const CanvasState& guide, const CellBox& box) {

@@ -98,7 +98,7 @@ void DetailLevel(benchmark::State& run) {
 /// side, so every block has ratios to find.
 void DetailLock(benchmark::State& run) {
   FineCanvas c;
-  Lock lock(c.layout, 2);
+  Lock lock(c.layout);
   bool more = true;
   LeastTime least;
   for (auto _ : run) {

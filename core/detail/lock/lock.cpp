@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/any_not_zero.h"
+#include "core/base/kernel.h"
 #include "core/detail/store/block_rows.h"
 #include "core/detail/store/open_cells.h"
 
@@ -26,20 +27,76 @@ constexpr float kMostSmoothed = 2;  // larger ratios would pull their neighbours
 constexpr float kMostScaled = 16;   // blocks that must grow by more are filled instead
 constexpr int kCellsPerTask = 16384;
 
-void count_ratio(float ratio, LockStatistics& s) {
-  const float off = ratio < 1 ? 1 - ratio : ratio - 1;
-  std::size_t bin = 0;
-  while (bin < LockStatistics::kBound.size() && off > LockStatistics::kBound[bin]) ++bin;
-  ++s.blocks[bin];
+/// The ratios of blocks that hold anything and shall, as far as they are to be smoothed; 1 for all
+/// others. False if all are 1.
+PENTIMENTO_KERNEL
+bool ratio_row(const float* wanted, const float* held, int n, float* __restrict ratio) {
+  int any = 0;  // not a bool, which keeps the loop from being a vector's
+  PENTIMENTO_INDEPENDENT
+  for (int i = 0; i < n; ++i) {
+    const bool both = wanted[i] > 0 && held[i] > 0;
+    const float r = wanted[i] / (both ? held[i] : 1.0f);
+    const bool close = r > 1 - kClose && r < 1 + kClose;
+    const bool far = r < 1 / kMostSmoothed || r > kMostSmoothed;
+    const bool counts = both && !close && !far;
+    ratio[i] = counts ? r : 1.0f;
+    any |= counts ? 1 : 0;
+  }
+  return any != 0;
+}
+
+/// Counts how many of the blocks that hold anything and shall are off by more than `bound`.
+PENTIMENTO_KERNEL
+int count_off(const float* wanted, const float* held, float bound, int n) {
+  int count = 0;
+  for (int i = 0; i < n; ++i) {
+    const bool both = wanted[i] > 0 && held[i] > 0;
+    const float r = wanted[i] / (both ? held[i] : 1.0f);
+    const float off = r < 1 ? 1 - r : r - 1;
+    count += both && off > bound ? 1 : 0;
+  }
+  return count;
+}
+
+void count_ratios(const float* wanted, const float* held, int n, LockStatistics& s) {
+  int more = count_off(wanted, held, -1, n);  // all that count
+  for (std::size_t bin = 0; bin < s.blocks.size(); ++bin) {
+    const bool last = bin == LockStatistics::kBound.size();
+    const int beyond =
+        last || more == 0 ? 0 : count_off(wanted, held, LockStatistics::kBound[bin], n);
+    s.blocks[bin] += more - beyond;
+    more = beyond;
+  }
+}
+
+/// What to scale blocks by, so that they hold what they shall. `owed` gets a 1 where so little is
+/// there that the block is left as it is. False if all scales are 1.
+PENTIMENTO_KERNEL
+bool exact_row(const float* wanted, const float* held, int n, float* __restrict scale,
+               std::uint8_t* __restrict owed) {
+  int any = 0;
+  PENTIMENTO_INDEPENDENT
+  for (int i = 0; i < n; ++i) {
+    const bool some = wanted[i] > 0, enough = wanted[i] <= kMostScaled * held[i];
+    const float r = wanted[i] / (some && enough ? held[i] : 1.0f);
+    const float nothing = held[i] > 0 ? 0.0f : 1.0f;
+    const float by = !some ? nothing : enough ? r : 1.0f;
+    scale[i] = by;
+    owed[i] = some && !enough ? 1 : 0;
+    any |= by != 1 ? 1 : 0;
+  }
+  return any != 0;
 }
 
 /// The part of a strip that a ratio other than 1 reaches.
-BlockStrip off_part(const RatioRows& rows, BlockStrip strip) {
-  const auto off = [&](int x) {
-    return rows.above[x] != 1 || rows.here[x] != 1 || rows.below[x] != 1;
+BlockStrip off_part(const RatiosAround& ratio, BlockStrip strip) {
+  const int first = strip.x0;
+  const auto off = [&](int block) {
+    return ratio.at(0, block) != 1 || ratio.at(1, block) != 1 || ratio.at(2, block) != 1;
   };
   const auto reached = [&](int x) {
-    return off(x) || (x > 0 && off(x - 1)) || (x + 1 < rows.width && off(x + 1));
+    const int block = x - first;
+    return off(block) || off(block - 1) || off(block + 1);
   };
   while (strip.x0 < strip.x1 && !reached(strip.x0)) ++strip.x0;
   while (strip.x0 < strip.x1 && !reached(strip.x1 - 1)) --strip.x1;
@@ -47,31 +104,39 @@ BlockStrip off_part(const RatioRows& rows, BlockStrip strip) {
 }
 }  // namespace
 
-Lock::Lock(const DetailLayout& layout, int layers) {
-  for (std::vector<Field<float>>& ratio : ratio_)
-    for (int i = 0; i < layers; ++i)
-      ratio.emplace_back(layout.guide().width, layout.guide().height, 1.0f);
-}
-
 void Lock::lock(DetailCanvas& canvas, const CanvasState& guide,
                 const std::vector<BlockStrip>& strips, const Threads& threads) {
-  // Which strips to lock; how many of them make a task.
+  // Which strips to lock; how many of them, in one group of planes, make a task.
   list(canvas, strips);
   if (strips_.empty()) return;
+  list_planes(canvas);
+  reset_tables();
   const auto fine = blocks_ * static_cast<std::size_t>(canvas.layout().factor()) *
                     static_cast<std::size_t>(canvas.layout().factor());
   const auto cells = static_cast<int>(fine / strips_.size());
   const Job job{canvas, guide, threads, std::max(1, kCellsPerTask / std::max(1, cells))};
-  // The depth alone; then each pigment channel with all its layers, for a mismatched block is
-  // locked as the sum of its layers.
-  lock_group(job, {WetPlane{}});
-  for (int c = 0; c < canvas.channels(); ++c) {
-    Group group;
-    for (int layer = 0; layer < canvas.layers(); ++layer)
-      group.push_back(WetPlane{layer * canvas.channels() + c});
-    lock_group(job, group);
+  const std::size_t groups = groups_.size();
+  // What each block holds, and by which ratio it is off.
+  for_parts(job, 0, groups, [&](std::size_t g, std::size_t s) {
+    measure(job, g, s);
+    find_ratios(job, g, s, 0);
+  });
+  // Smooth passes: the ratios are spread as a smooth field, so that no block shows its border. Each
+  // pass finds the ratios that are left.
+  for (int pass = 1; pass <= kSmoothings && find_off_groups(); ++pass) {
+    for_parts(job, 0, groups, [&](std::size_t g, std::size_t s) {
+      if (group_is_off_[g] == 0) return;
+      for (std::size_t p = groups_[g].begin; p < groups_[g].end; ++p)
+        if (holds_[p * strips_.size() + s] != 0) smooth(job, p, strips_[s], pass);
+      if (pass < kSmoothings) find_ratios(job, g, s, pass);
+    });
   }
-  // Each strip counted for itself: the sums do not depend on the threads.
+  // The exact pass: what is still off is scaled block by block.
+  for_parts(job, 0, groups, [&](std::size_t g, std::size_t s) { make_exact(job, g, s); });
+  // Blocks with next to nothing to scale are filled: pigment by the depth that is there then.
+  fill_uncovered_blocks(job, 0, 1);
+  fill_uncovered_blocks(job, 1, groups);
+  // Each part counted for itself: the sums do not depend on the threads.
   for (const LockStatistics& s : counted_) {
     for (std::size_t i = 0; i < s.blocks.size(); ++i) statistics_.blocks[i] += s.blocks[i];
     statistics_.owed += s.owed;
@@ -83,174 +148,180 @@ void Lock::lock(DetailCanvas& canvas, const CanvasState& guide,
 void Lock::list(DetailCanvas& canvas, const std::vector<BlockStrip>& strips) {
   strips_.clear();
   split_.clear();
+  for (BlockRatios& ratio : ratio_) ratio.clear();
   for (const BlockStrip& at : strips) {
     DetailTile* tile = canvas.find(at.tile);
     if (tile == nullptr) continue;
     strips_.push_back({at, tile, split_.size()});
+    for (BlockRatios& ratio : ratio_) ratio.add(at);
     for (int x = at.x0; x < at.x1; ++x) {
       split_.push_back(layers_correspond(*tile, canvas.layout(), x, at.y) ? 0 : 1);
       strips_.back().is_split |= split_.back() != 0;
     }
   }
   blocks_ = split_.size();
-  counted_.assign(strips_.size(), {});
-  off_.assign(strips_.size(), 0);
-  if (uncovered_.size() < strips_.size()) uncovered_.resize(strips_.size());
 }
 
-template <typename Body>
-void Lock::for_strips(const Job& job, const Body& body) {
-  job.threads.for_ranges(
-      0, static_cast<int>(strips_.size()), job.grain_size, [&](int begin, int end) {
-        for (auto s = static_cast<std::size_t>(begin); s < static_cast<std::size_t>(end); ++s)
-          body(s);
-      });
-}
-
-void Lock::lock_group(const Job& job, const Group& group) {
-  // What each block holds, and by which ratio it is off.
-  held_.assign(group.size() * blocks_, 0.0f);
-  wants_.assign(group.size() * strips_.size(), 0);
-  holds_.assign(group.size() * strips_.size(), 0);
-  for_strips(job, [&](std::size_t s) {
-    measure(job, group, s);
-    find_ratios(job, group, s, 0);
-  });
-  const auto any_off = [&] {
-    return std::any_of(off_.begin(), off_.end(), [](std::uint8_t off) { return off != 0; });
-  };
-  // Smooth passes: the ratios are spread as a smooth field, so that no block shows its border. Each
-  // pass finds the ratios that are left.
-  for (int pass = 1; pass <= kSmoothings && any_off(); ++pass) {
-    for_strips(job, [&](std::size_t s) {
-      for (std::size_t p = 0; p < group.size(); ++p)
-        if (holds_[p * strips_.size() + s] != 0) smooth(job, group[p], p, strips_[s], pass);
-      if (pass < kSmoothings) find_ratios(job, group, s, pass);
-    });
+/// The depth alone; then each pigment channel with all its layers, for a mismatched block is locked
+/// as the sum of its layers.
+void Lock::list_planes(const DetailCanvas& canvas) {
+  planes_ = {WetPlane{}};
+  groups_ = {{0, 1}};
+  for (int c = 0; c < canvas.channels(); ++c) {
+    for (int layer = 0; layer < canvas.layers(); ++layer)
+      planes_.push_back(WetPlane{layer * canvas.channels() + c});
+    groups_.push_back({groups_.back().end, planes_.size()});
   }
-  for (std::size_t p = 0; p < group.size(); ++p)
-    for (const Strip& strip : strips_)
-      for (std::vector<Field<float>>& ratio : ratio_)
-        std::fill_n(ratio[p].row(strip.at.y) + strip.at.x0, strip.at.blocks(), 1.0f);
-  // The exact pass: what is still off is scaled block by block. Blocks with next to nothing to
-  // scale are filled.
-  for_strips(job, [&](std::size_t s) { make_exact(job, group, s); });
-  fill_uncovered_blocks(job, group);
+}
+
+void Lock::reset_tables() {
+  const std::size_t parts = groups_.size() * strips_.size();
+  for (BlockRatios& ratio : ratio_) ratio.reset(planes_.size());
+  held_.assign(planes_.size() * blocks_, 0.0f);
+  wants_.assign(planes_.size() * strips_.size(), 0);
+  holds_.assign(planes_.size() * strips_.size(), 0);
+  off_.assign(parts, 0);
+  counted_.assign(parts, {});
+  if (uncovered_.size() < parts) uncovered_.resize(parts);
+}
+
+/// Calls body(group, strip) for the groups from `first_group` to before `end_group` and all strips.
+template <typename Body>
+void Lock::for_parts(const Job& job, std::size_t first_group, std::size_t end_group,
+                     const Body& body) {
+  const std::size_t strips = strips_.size();
+  job.threads.for_ranges(static_cast<int>(first_group * strips),
+                         static_cast<int>(end_group * strips), job.grain_size,
+                         [&](int begin, int end) {
+                           for (int part = begin; part < end; ++part)
+                             body(at(part) / strips, at(part) % strips);
+                         });
 }
 
 /// What the blocks of a strip hold, and whether there is anything to compare.
-void Lock::measure(const Job& job, const Group& group, std::size_t s) {
+void Lock::measure(const Job& job, std::size_t g, std::size_t s) {
   const Strip& strip = strips_[s];
-  for (std::size_t p = 0; p < group.size(); ++p) {
-    const float* wanted = group[p].of(job.guide).row(strip.at.y) + strip.at.x0;
+  for (std::size_t p = groups_[g].begin; p < groups_[g].end; ++p) {
+    const float* wanted = planes_[p].of(job.guide).row(strip.at.y) + strip.at.x0;
     wants_[p * strips_.size() + s] = any_not_zero(wanted, strip.at.blocks()) ? 1 : 0;
-    if (!group[p].of(*strip.tile)) continue;
+    if (!planes_[p].of(*strip.tile)) continue;
     const std::span<float> held = held_of(p, strip);
-    block_means(job.row_of(strip, group[p]), held);
+    block_means(job.row_of(strip, planes_[p]), held);
     holds_[p * strips_.size() + s] = any_not_zero(held.data(), strip.at.blocks()) ? 1 : 0;
   }
 }
 
 /// A flag of a plane in a strip; where blocks are mismatched, of all planes of the group.
-bool Lock::any(const std::vector<std::uint8_t>& flags, std::size_t plane, std::size_t s) const {
+bool Lock::any(const std::vector<std::uint8_t>& flags, const Group& group, std::size_t plane,
+               std::size_t s) const {
   const std::size_t strips = strips_.size();
   if (!strips_[s].is_split) return flags[plane * strips + s] != 0;
-  for (std::size_t i = s; i < flags.size(); i += strips)
-    if (flags[i] != 0) return true;
+  for (std::size_t p = group.begin; p < group.end; ++p)
+    if (flags[p * strips + s] != 0) return true;
   return false;
+}
+
+/// Finds the groups that are off somewhere. False if there are none.
+bool Lock::find_off_groups() {
+  group_is_off_.assign(groups_.size(), 0);
+  for (std::size_t part = 0; part < groups_.size() * strips_.size(); ++part)
+    if (off_[part] != 0) group_is_off_[part / strips_.size()] = 1;
+  return std::any_of(group_is_off_.begin(), group_is_off_.end(),
+                     [](std::uint8_t off) { return off != 0; });
 }
 
 /// Multiplies the fine cells of a strip by the ratios of the pass before, as a smooth field. Keeps
 /// `held_` up to date.
-void Lock::smooth(const Job& job, const WetPlane& q, std::size_t plane, const Strip& strip,
-                  int pass) {
-  const Field<float>& ratio = ratio_[at(pass + 1) % 2][plane];
-  const BlockStrip part = off_part(ratio_rows(ratio, 0, strip.at.y), strip.at);
+void Lock::smooth(const Job& job, std::size_t plane, const Strip& strip, int pass) {
+  RatiosAround ratio;
+  ratio_[at(pass + 1) % 2].read(plane, strip.at, ratio);
+  const BlockStrip part = off_part(ratio, strip.at);
   if (part.blocks() <= 0) return;
-  scale_by_field(ratio_rows(ratio, part.x0, part.y),
-                 block_row(q.of(*strip.tile).data(), job.canvas.layout(), part),
-                 held_of(plane, strip).subspan(at(part.x0 - strip.at.x0), at(part.blocks())));
+  const int first = part.x0 - strip.at.x0;
+  scale_by_field(ratio.from(first),
+                 block_row(planes_[plane].of(*strip.tile).data(), job.canvas.layout(), part),
+                 held_of(plane, strip).subspan(at(first), at(part.blocks())));
 }
 
-/// What the guide wants in a block and what the block holds: of one plane, or in a mismatched block
-/// of all layers of a pigment channel.
-Lock::Target Lock::target_of(const Job& job, const Group& group, std::size_t plane,
-                             const Strip& strip, int block) const {
-  const std::size_t b = strip.first + at(block);
-  const int x = strip.at.x0 + block, y = strip.at.y;
-  if (split_[b] == 0 || group.size() == 1)
-    return {group[plane].of(job.guide)(x, y), held_[plane * blocks_ + b]};
-  Target sum;
-  for (std::size_t p = 0; p < group.size(); ++p) {
-    sum.wanted += group[p].of(job.guide)(x, y);
-    sum.held += held_[p * blocks_ + b];
-  }
-  return sum;
-}
-
-void Lock::find_ratios(const Job& job, const Group& group, std::size_t s, int pass) {
-  const Strip& strip = strips_[s];
-  off_[s] = 0;
-  for (std::size_t p = 0; p < group.size(); ++p) {
-    if (!any(wants_, p, s) || !any(holds_, p, s)) continue;  // the ratios are 1, and stay so
-    float* ratio = ratio_[at(pass) % 2][p].row(strip.at.y) + strip.at.x0;
-    for (int i = 0; i < strip.at.blocks(); ++i) {
-      ratio[i] = 1;
-      const Target c = target_of(job, group, p, strip, i);
-      if (!(c.wanted > 0) || !(c.held > 0)) continue;
-      const float r = c.wanted / c.held;
-      if (pass == 0) count_ratio(r, counted_[s]);
-      if (r > 1 - kClose && r < 1 + kClose) continue;
-      if (r < 1 / kMostSmoothed || r > kMostSmoothed) continue;
-      ratio[i] = r;
-      off_[s] = 1;
+/// What the guide wants in the blocks of a strip and what they hold: of one plane, or in a
+/// mismatched block of all layers of a pigment channel. `sums` has room for the latter.
+Lock::Targets Lock::targets_of(const Job& job, const Group& group, std::size_t plane,
+                               const Strip& strip, TargetSums& sums) const {
+  const auto wanted = [&](std::size_t p) {
+    return planes_[p].of(job.guide).row(strip.at.y) + strip.at.x0;
+  };
+  const auto held = [&](std::size_t p) { return held_.data() + p * blocks_ + strip.first; };
+  if (!strip.is_split || group.end == group.begin + 1) return {wanted(plane), held(plane)};
+  for (std::size_t i = 0; i < at(strip.at.blocks()); ++i) {
+    const bool alone = split_[strip.first + i] == 0;
+    sums.wanted[i] = alone ? wanted(plane)[i] : 0.0f;
+    sums.held[i] = alone ? held(plane)[i] : 0.0f;
+    for (std::size_t p = group.begin; p < group.end && !alone; ++p) {
+      sums.wanted[i] += wanted(p)[i];
+      sums.held[i] += held(p)[i];
     }
   }
+  return {sums.wanted.data(), sums.held.data()};
 }
 
-void Lock::make_exact(const Job& job, const Group& group, std::size_t s) {
+void Lock::find_ratios(const Job& job, std::size_t g, std::size_t s, int pass) {
   const Strip& strip = strips_[s];
-  uncovered_[s].clear();
+  const int n = strip.at.blocks();
+  const std::size_t here = g * strips_.size() + s;
+  TargetSums sums;
+  off_[here] = 0;
+  for (std::size_t p = groups_[g].begin; p < groups_[g].end; ++p) {
+    // Otherwise the ratios are 1, and stay so.
+    if (!any(wants_, groups_[g], p, s) || !any(holds_, groups_[g], p, s)) continue;
+    const Targets to = targets_of(job, groups_[g], p, strip, sums);
+    if (pass == 0) count_ratios(to.wanted, to.held, n, counted_[here]);
+    float* ratio = ratio_[at(pass) % 2].of(p, strip.first, at(n)).data();
+    if (ratio_row(to.wanted, to.held, n, ratio)) off_[here] = 1;
+  }
+}
+
+void Lock::make_exact(const Job& job, std::size_t g, std::size_t s) {
+  const Strip& strip = strips_[s];
+  const Group& group = groups_[g];
+  const int n = strip.at.blocks();
+  const std::size_t here = g * strips_.size() + s;
+  uncovered_[here].clear();
+  TargetSums sums;
   std::array<float, kMostTileSide> scale;
-  for (std::size_t p = 0; p < group.size(); ++p) {
-    if (!group[p].of(*strip.tile)) continue;
-    if (!any(wants_, p, s) && !any(holds_, p, s)) continue;
-    bool all_one = true;
-    for (int i = 0; i < strip.at.blocks(); ++i) {
-      const Target c = target_of(job, group, p, strip, i);
-      float& by = scale[at(i)];
-      by = 1;
-      if (!(c.wanted > 0)) {
-        by = c.held > 0 ? 0.0f : 1.0f;
-      } else if (c.wanted <= kMostScaled * c.held) {
-        by = c.wanted / c.held;
-      } else {
-        // Fill up to what the guide has in this very layer, even if the block's layers are
-        // mismatched.
-        const int x = strip.at.x0 + i, y = strip.at.y;
-        uncovered_[s].push_back({x, y, static_cast<int>(p), group[p].of(job.guide)(x, y), {}});
-      }
-      all_one = all_one && by == 1;
-    }
-    if (!all_one) scale_blocks({scale.data(), at(strip.at.blocks())}, job.row_of(strip, group[p]));
+  std::array<std::uint8_t, kMostTileSide> owed;
+  for (std::size_t p = group.begin; p < group.end; ++p) {
+    if (!planes_[p].of(*strip.tile)) continue;
+    if (!any(wants_, group, p, s) && !any(holds_, group, p, s)) continue;
+    const Targets to = targets_of(job, group, p, strip, sums);
+    const bool scales = exact_row(to.wanted, to.held, n, scale.data(), owed.data());
+    // Fill up to what the guide has in this very layer, even if the block's layers are mismatched.
+    for (int i = 0; i < n; ++i)
+      if (owed[at(i)] != 0)
+        uncovered_[here].push_back({strip.at.x0 + i,
+                                    strip.at.y,
+                                    static_cast<int>(p),
+                                    planes_[p].of(job.guide)(strip.at.x0 + i, strip.at.y),
+                                    {}});
+    if (scales) scale_blocks({scale.data(), at(n)}, job.row_of(strip, planes_[p]));
   }
-  counted_[s].owed += static_cast<std::int64_t>(uncovered_[s].size());
+  counted_[here].owed += static_cast<std::int64_t>(uncovered_[here].size());
 }
 
 /// Two passes: all fillings are found from the canvas as it is before any is written, for two
 /// blocks side by side may both be uncovered.
-void Lock::fill_uncovered_blocks(const Job& job, const Group& group) {
-  const auto owes = [](const std::vector<UncoveredBlock>& blocks) { return !blocks.empty(); };
-  if (std::none_of(uncovered_.begin(),
-                   uncovered_.begin() + static_cast<std::ptrdiff_t>(strips_.size()), owes))
-    return;
-  for_strips(job, [&](std::size_t s) {
-    for (UncoveredBlock& block : uncovered_[s])
-      fill_uncovered(job.canvas, group[at(block.plane)], block);
+void Lock::fill_uncovered_blocks(const Job& job, std::size_t first_group, std::size_t end_group) {
+  const std::size_t strips = strips_.size();
+  bool owes = false;
+  for (std::size_t part = first_group * strips; part < end_group * strips; ++part)
+    owes |= !uncovered_[part].empty();
+  if (!owes) return;
+  for_parts(job, first_group, end_group, [&](std::size_t g, std::size_t s) {
+    for (UncoveredBlock& block : uncovered_[g * strips + s])
+      fill_uncovered(job.canvas, planes_[at(block.plane)], block);
   });
-  for_strips(job, [&](std::size_t s) {
-    for (const UncoveredBlock& block : uncovered_[s])
-      store_uncovered(job.canvas, group[at(block.plane)], block);
+  for_parts(job, first_group, end_group, [&](std::size_t g, std::size_t s) {
+    for (const UncoveredBlock& block : uncovered_[g * strips + s])
+      store_uncovered(job.canvas, planes_[at(block.plane)], block);
   });
 }
 

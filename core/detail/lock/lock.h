@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/threads.h"
+#include "core/detail/lock/block_ratios.h"
 #include "core/detail/lock/uncovered_blocks.h"
 #include "core/detail/store/changed_blocks.h"
 #include "core/detail/store/detail_canvas.h"
@@ -25,7 +26,7 @@ struct LockStatistics {
 
 class Lock {
  public:
-  Lock(const DetailLayout& layout, int layers);
+  explicit Lock(const DetailLayout& layout) : ratio_{BlockRatios(layout), BlockRatios(layout)} {}
 
   /// Locks the blocks of `strips` (ChangedBlocks::strips()) to the guide; all others are locked
   /// already.
@@ -47,8 +48,6 @@ class Lock {
   void recall(const LockStatistics& statistics) { statistics_ = statistics; }
 
  private:
-  /// What is locked together: the depth alone, or one pigment in all its layers.
-  using Group = std::vector<WetPlane>;
   struct Job;
   /// Blocks [x0, x1) of a row in an existing tile.
   struct Strip {
@@ -57,39 +56,53 @@ class Lock {
     std::size_t first = 0;  // index of its first block in the tables
     bool is_split = false;  // whether any of its blocks is mismatched
   };
-  struct Target {
-    float wanted = 0, held = 0;
+  /// Planes that are locked together, by their indices: the depth alone, or one pigment in all its
+  /// layers.
+  struct Group {
+    std::size_t begin = 0, end = 0;
+  };
+  /// Of the blocks of a strip.
+  struct Targets {
+    const float *wanted, *held;
+  };
+  struct TargetSums {
+    std::array<float, kMostTileSide> wanted, held;
   };
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
   std::span<float> held_of(std::size_t plane, const Strip& strip) {
     return {held_.data() + plane * blocks_ + strip.first, at(strip.at.blocks())};
   }
   void list(DetailCanvas& canvas, const std::vector<BlockStrip>& strips);
+  void list_planes(const DetailCanvas& canvas);
+  void reset_tables();
   template <typename Body>
-  void for_strips(const Job& job, const Body& body);
-  void lock_group(const Job& job, const Group& group);
-  void measure(const Job& job, const Group& group, std::size_t s);
-  bool any(const std::vector<std::uint8_t>& flags, std::size_t plane, std::size_t s) const;
-  void smooth(const Job& job, const WetPlane& q, std::size_t plane, const Strip& strip, int pass);
-  Target target_of(const Job& job, const Group& group, std::size_t plane, const Strip& strip,
-                   int block) const;
-  void find_ratios(const Job& job, const Group& group, std::size_t s, int pass);
-  void make_exact(const Job& job, const Group& group, std::size_t s);
-  void fill_uncovered_blocks(const Job& job, const Group& group);
+  void for_parts(const Job& job, std::size_t first_group, std::size_t end_group, const Body& body);
+  void measure(const Job& job, std::size_t g, std::size_t s);
+  bool any(const std::vector<std::uint8_t>& flags, const Group& group, std::size_t plane,
+           std::size_t s) const;
+  bool find_off_groups();
+  void smooth(const Job& job, std::size_t plane, const Strip& strip, int pass);
+  Targets targets_of(const Job& job, const Group& group, std::size_t plane, const Strip& strip,
+                     TargetSums& sums) const;
+  void find_ratios(const Job& job, std::size_t g, std::size_t s, int pass);
+  void make_exact(const Job& job, std::size_t g, std::size_t s);
+  void fill_uncovered_blocks(const Job& job, std::size_t first_group, std::size_t end_group);
 
   std::vector<Strip> strips_;
+  std::vector<WetPlane> planes_;
+  std::vector<Group> groups_;  // the depth first
   std::size_t blocks_ = 0;
-  // Per plane of a group, planes of the guide's size; all 1 between calls. Smooth passes read one
-  // and write the other in turn.
-  std::array<std::vector<Field<float>>, 2> ratio_;
-  std::vector<float> held_;          // mean of each block, plane after plane of a group
-  std::vector<std::uint8_t> split_;  // per block: 1 if mismatched
-  std::vector<std::uint8_t> off_;    // per strip: 1 if it has a ratio that is not 1
-  // Plane after plane of a group, per strip: whether the guide wants anything there, and whether
-  // the blocks hold anything.
+  std::array<BlockRatios, 2> ratio_;  // smooth passes read one and write the other in turn
+  std::vector<float> held_;           // mean of each block, plane after plane
+  std::vector<std::uint8_t> split_;   // per block: 1 if mismatched
+  // Plane after plane, per strip: whether the guide wants anything there, and whether the blocks
+  // hold anything.
   std::vector<std::uint8_t> wants_, holds_;
+  // Group after group, per strip.
+  std::vector<std::uint8_t> off_;  // 1 if it has a ratio that is not 1
   std::vector<LockStatistics> counted_;
   std::vector<std::vector<UncoveredBlock>> uncovered_;
+  std::vector<std::uint8_t> group_is_off_;
   LockStatistics statistics_;
 };
 

@@ -12,7 +12,7 @@ namespace pentimento {
 /// A block, what it must hold on average, and the fine cells it gets.
 struct UncoveredBlock {
   int x = 0, y = 0;  // of the guide
-  int plane = 0;     // index among the planes that are locked together
+  int plane = 0;     // index among the planes that are locked
   float mean = 0;
   std::vector<float> value;  // factor x factor, set by fill_uncovered()
 };

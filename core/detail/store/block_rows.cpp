@@ -46,15 +46,12 @@ float share_of(int i, int factor) {
 }
 
 /// A row of the interpolated field, at the fine columns of the blocks.
-void stretch(const float* ratio, const RatioRows& rows, const BlockRow& row,
-             const TileRowBuffer& share, TileRowBuffer& out) {
+void stretch(const float* ratio, const BlockRow& row, const TileRowBuffer& share,
+             TileRowBuffer& out) {
   const int k = row.factor, half = k / 2;
   float* to = out.data();
   for (int i = 0; i < row.blocks; ++i, to += k) {
-    const int x = rows.x + i;
-    const float here = ratio[x];
-    const float before = ratio[std::max(x - 1, 0)];
-    const float after = ratio[std::min(x + 1, rows.width - 1)];
+    const float before = ratio[i - 1], here = ratio[i], after = ratio[i + 1];
     for (int j = 0; j < half; ++j)
       to[j] = before + share[static_cast<std::size_t>(j)] * (here - before);
     for (int j = half; j < k; ++j)
@@ -79,9 +76,12 @@ BlockRow block_row(float* plane, const DetailLayout& layout, const BlockStrip& s
   return {plane + row + strip.x0 % blocks * k, side, k, strip.blocks()};
 }
 
-RatioRows ratio_rows(const Field<float>& plane, int x, int y) {
-  return {plane.row(std::max(y - 1, 0)), plane.row(y),
-          plane.row(std::min(y + 1, plane.height() - 1)), x, plane.width()};
+void read_around(const Field<float>& plane, const BlockStrip& strip, RatiosAround& out) {
+  for (int row = 0; row < 3; ++row) {
+    const float* value = plane.row(std::clamp(strip.y + row - 1, 0, plane.height() - 1));
+    for (int block = -1; block <= strip.blocks(); ++block)
+      out.at(row, block) = value[std::clamp(strip.x0 + block, 0, plane.width() - 1)];
+  }
 }
 
 void block_means(const BlockRow& row, std::span<float> mean) {
@@ -95,9 +95,9 @@ void scale_by_field(const RatioRows& ratio, const BlockRow& row, std::span<float
   const int k = row.factor, half = k / 2, n = row.cells();
   TileRowBuffer share, above, here, below, sum;
   for (int i = 0; i < k; ++i) share[static_cast<std::size_t>(i)] = share_of(i, k);
-  stretch(ratio.above, ratio, row, share, above);
-  stretch(ratio.here, ratio, row, share, here);
-  stretch(ratio.below, ratio, row, share, below);
+  stretch(ratio.above, row, share, above);
+  stretch(ratio.here, row, share, here);
+  stretch(ratio.below, row, share, below);
   std::fill_n(sum.begin(), n, 0.0f);
   multiply_between(above.data(), here.data(), share.data(), half, n, row.first, row.stride,
                    sum.data());

@@ -47,7 +47,7 @@ class LevelTest : public ::testing::Test {
     const StepInput in{model_, {0, 0, 9.81f}, 1.0f / 45, contact_, amount_, threads_};
     ChangedBlocks all(layout_);
     all.add({0, 32, 0, 32});
-    Lock lock(layout_, 1);
+    Lock lock(layout_);
     for (int i = 0; i < steps; ++i) {
       level_detail(canvas_, guide_, edges_, in, all);
       lock.lock(canvas_, guide_, all.strips(), threads_);

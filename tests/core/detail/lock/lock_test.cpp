@@ -33,7 +33,7 @@ class LockTest : public ::testing::Test {
   test::PlainSubstrate substrate_;
   std::unique_ptr<TileStore> store_ = std::move(*TileStore::open({128 * 128, "", 0}));
   DetailCanvas canvas_{layout_, 1, 1, 3, substrate_, *store_};
-  Lock lock_{layout_, 1};
+  Lock lock_{layout_};
 };
 
 TEST_F(LockTest, MakesBlocksHoldWhatTheGuideHolds) {

@@ -61,7 +61,9 @@ TEST(ScaleByField, IsBilinearBetweenCentres) {
         const std::vector<float> before = plane_of(k);
         std::vector<float> plane = before;
         std::vector<float> mean(4);
-        scale_by_field(ratio_rows(ratio, x0, y), {plane.data(), kStride, k, 4}, mean);
+        RatiosAround around;
+        read_around(ratio, {0, y, x0, x0 + 4}, around);
+        scale_by_field(around.from(0), {plane.data(), kStride, k, 4}, mean);
         for (int j = 0; j < k; ++j) {
           for (int i = 0; i < 4 * k; ++i) {
             const auto at = static_cast<std::size_t>(j * kStride + i);
