@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <vector>
+
 #include "tests/core/detail/painted.h"
 
 namespace pentimento {
@@ -12,6 +15,7 @@ class LockTest : public ::testing::Test {
   LockTest() : guide_(make_canvas_state({16, 16, 1, 1}, 1, 1, 3, 1.0f)) {}
 
   float* depth() { return canvas_.find(0)->depth_m.data(); }
+  float* pigment() { return canvas_.find(0)->pigment[0].data(); }
   float at(int x, int y) { return depth()[y * layout_.side() + x]; }
   void lock() {
     canvas_.ensure_planes(0, guide_);
@@ -144,6 +148,79 @@ TEST_F(LockTest, FillsBlocksThatOweMoreThanSixteenTimesWhatTheyHold) {
   };
   EXPECT_EQ(owed(15.9f), 0);
   EXPECT_EQ(owed(16.1f), 1);
+}
+
+TEST_F(LockTest, PigmentIsSmoothedWhereTheDepthIsInOrder) {
+  // ShowsNoBlocks for a pigment, in a film that holds what it should.
+  guide_.depth_m.fill(0.01f);
+  for (int y = 0; y < 16; ++y)
+    for (int x = 0; x < 16; ++x)
+      guide_.channel(0, 0)(x, y) = 0.01f + 0.0005f * static_cast<float>(x);
+  canvas_.ensure_planes(0, guide_);
+  std::fill_n(depth(), 128 * 128, 0.01f);
+  std::fill_n(pigment(), 128 * 128, 0.01f);
+  lock();
+  const float* row = pigment() + 60 * layout_.side();
+  for (int x = 17; x < 110; ++x) EXPECT_LT(std::abs(row[x + 1] - row[x]), 1.5e-4) << x;
+}
+
+TEST_F(LockTest, FillsPigmentByTheDepthThatItHasJustFilled) {
+  // Column 8 has neither. Its pigment is a weight of its own times the depth, so it falls off
+  // faster than the depth.
+  for (int y = 0; y < 16; ++y)
+    for (int x = 7; x < 9; ++x) guide_.depth_m(x, y) = guide_.channel(0, 0)(x, y) = 0.004f;
+  canvas_.ensure_planes(0, guide_);
+  for (int y = 0; y < 128; ++y)
+    for (int x = 56; x < 64; ++x)
+      depth()[y * layout_.side() + x] = pigment()[y * layout_.side() + x] = 0.004f;
+  lock();
+  const float* row = pigment() + 60 * layout_.side();
+  EXPECT_GT(row[64] / at(64, 60), 2 * row[69] / at(69, 60));
+}
+
+TEST_F(LockTest, CountsBlocksThatAreInOrder) {
+  guide_.depth_m.fill(0.0078125f);  // of which a mean is exact
+  canvas_.ensure_planes(0, guide_);
+  std::fill_n(depth(), 128 * 128, 0.0078125f);
+  lock();
+  EXPECT_EQ(lock_.statistics().blocks[0], 16 * 16);
+  for (std::size_t bin = 1; bin < 8; ++bin) EXPECT_EQ(lock_.statistics().blocks[bin], 0);
+}
+
+TEST_F(LockTest, CountsRatiosBeyondAllBounds) {
+  guide_.depth_m(3, 3) = 0.01f;
+  guide_.depth_m(5, 5) = 0.01f;
+  canvas_.ensure_planes(0, guide_);
+  for (int y = 24; y < 48; ++y)
+    for (int x = 24; x < 48; ++x) depth()[y * layout_.side() + x] = y < 32 ? 0.0049f : 0.0051f;
+  lock();
+  EXPECT_EQ(lock_.statistics().blocks[7], 1);  // 104 % off
+  EXPECT_EQ(lock_.statistics().blocks[6], 1);  // 96 % off
+}
+
+TEST_F(LockTest, TheStateDoesNotDependOnThreads) {
+  const auto locked_by = [&](const Threads& threads) {
+    for (int y = 0; y < 16; ++y)
+      for (int x = 0; x < 16; ++x) {
+        guide_.depth_m(x, y) = 0.01f + 0.001f * static_cast<float>((x * 7 + y * 5) % 11);
+        guide_.channel(0, 0)(x, y) = 0.02f + 0.001f * static_cast<float>((x * 3 + y * 5) % 7);
+      }
+    canvas_.ensure_planes(0, guide_);
+    for (int i = 0; i < 128 * 128; ++i) {
+      depth()[i] = i % 128 < 100 ? 0.01f + 1e-5f * static_cast<float>(i % 13) : 0.0f;
+      pigment()[i] = i % 128 < 90 ? 0.02f + 1e-5f * static_cast<float>(i % 17) : 0.0f;
+    }
+    ChangedBlocks all(layout_);
+    all.add({0, 16, 0, 16});
+    lock_.lock(canvas_, guide_, all.strips(), threads);
+    std::vector<float> values(depth(), depth() + 128 * 128);
+    values.insert(values.end(), pigment(), pigment() + 128 * 128);
+    return values;
+  };
+  const std::vector<float> one = locked_by(Threads(1));
+  EXPECT_EQ(locked_by(Threads(2)), one);
+  EXPECT_EQ(locked_by(Threads(7)), one);
+  EXPECT_EQ(locked_by(Threads::backwards()), one);
 }
 
 TEST_F(LockTest, CountsRatios) {
