@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/base/any_not_zero.h"
-#include "core/base/kernel.h"
+#include "core/detail/lock/lock_rows.h"
 #include "core/detail/store/block_rows.h"
 #include "core/detail/store/open_cells.h"
 
@@ -22,71 +22,7 @@ struct Lock::Job {
 
 namespace {
 constexpr int kSmoothings = 3;
-constexpr float kClose = 1e-6f;     // the mean of a block in floats is not more exact than this
-constexpr float kMostSmoothed = 2;  // larger ratios would pull their neighbours along
-constexpr float kMostScaled = 16;   // blocks that must grow by more are filled instead
 constexpr int kCellsPerTask = 16384;
-
-/// The ratios of blocks that hold anything and shall, as far as they are to be smoothed; 1 for all
-/// others. False if all are 1.
-PENTIMENTO_KERNEL
-bool ratio_row(const float* wanted, const float* held, int n, float* __restrict ratio) {
-  int any = 0;  // not a bool, which keeps the loop from being a vector's
-  PENTIMENTO_INDEPENDENT
-  for (int i = 0; i < n; ++i) {
-    const bool both = wanted[i] > 0 && held[i] > 0;
-    const float r = wanted[i] / (both ? held[i] : 1.0f);
-    const bool close = r > 1 - kClose && r < 1 + kClose;
-    const bool far = r < 1 / kMostSmoothed || r > kMostSmoothed;
-    const bool counts = both && !close && !far;
-    ratio[i] = counts ? r : 1.0f;
-    any |= counts ? 1 : 0;
-  }
-  return any != 0;
-}
-
-/// Counts how many of the blocks that hold anything and shall are off by more than `bound`.
-PENTIMENTO_KERNEL
-int count_off(const float* wanted, const float* held, float bound, int n) {
-  int count = 0;
-  for (int i = 0; i < n; ++i) {
-    const bool both = wanted[i] > 0 && held[i] > 0;
-    const float r = wanted[i] / (both ? held[i] : 1.0f);
-    const float off = r < 1 ? 1 - r : r - 1;
-    count += both && off > bound ? 1 : 0;
-  }
-  return count;
-}
-
-void count_ratios(const float* wanted, const float* held, int n, LockStatistics& s) {
-  int more = count_off(wanted, held, -1, n);  // all that count
-  for (std::size_t bin = 0; bin < s.blocks.size(); ++bin) {
-    const bool last = bin == LockStatistics::kBound.size();
-    const int beyond =
-        last || more == 0 ? 0 : count_off(wanted, held, LockStatistics::kBound[bin], n);
-    s.blocks[bin] += more - beyond;
-    more = beyond;
-  }
-}
-
-/// What to scale blocks by, so that they hold what they shall. `owed` gets a 1 where so little is
-/// there that the block is left as it is. False if all scales are 1.
-PENTIMENTO_KERNEL
-bool exact_row(const float* wanted, const float* held, int n, float* __restrict scale,
-               std::uint8_t* __restrict owed) {
-  int any = 0;
-  PENTIMENTO_INDEPENDENT
-  for (int i = 0; i < n; ++i) {
-    const bool some = wanted[i] > 0, enough = wanted[i] <= kMostScaled * held[i];
-    const float r = wanted[i] / (some && enough ? held[i] : 1.0f);
-    const float nothing = held[i] > 0 ? 0.0f : 1.0f;
-    const float by = !some ? nothing : enough ? r : 1.0f;
-    scale[i] = by;
-    owed[i] = some && !enough ? 1 : 0;
-    any |= by != 1 ? 1 : 0;
-  }
-  return any != 0;
-}
 
 /// The part of a strip that a ratio other than 1 reaches.
 BlockStrip off_part(const RatiosAround& ratio, BlockStrip strip) {
@@ -245,8 +181,8 @@ void Lock::smooth(const Job& job, std::size_t plane, const Strip& strip, int pas
 
 /// What the guide wants in the blocks of a strip and what they hold: of one plane, or in a
 /// mismatched block of all layers of a pigment channel. `sums` has room for the latter.
-Lock::Targets Lock::targets_of(const Job& job, const Group& group, std::size_t plane,
-                               const Strip& strip, TargetSums& sums) const {
+BlockTargets Lock::targets_of(const Job& job, const Group& group, std::size_t plane,
+                              const Strip& strip, TargetSums& sums) const {
   const auto wanted = [&](std::size_t p) {
     return planes_[p].of(job.guide).row(strip.at.y) + strip.at.x0;
   };
@@ -273,10 +209,10 @@ void Lock::find_ratios(const Job& job, std::size_t g, std::size_t s, int pass) {
   for (std::size_t p = groups_[g].begin; p < groups_[g].end; ++p) {
     // Otherwise the ratios are 1, and stay so.
     if (!any(wants_, groups_[g], p, s) || !any(holds_, groups_[g], p, s)) continue;
-    const Targets to = targets_of(job, groups_[g], p, strip, sums);
-    if (pass == 0) count_ratios(to.wanted, to.held, n, counted_[here]);
+    const BlockTargets to = targets_of(job, groups_[g], p, strip, sums);
+    if (pass == 0) count_ratios(to, n, counted_[here].blocks);
     float* ratio = ratio_[at(pass) % 2].of(p, strip.first, at(n)).data();
-    if (ratio_row(to.wanted, to.held, n, ratio)) off_[here] = 1;
+    if (ratio_row(to, n, ratio)) off_[here] = 1;
   }
 }
 
@@ -292,8 +228,8 @@ void Lock::make_exact(const Job& job, std::size_t g, std::size_t s) {
   for (std::size_t p = group.begin; p < group.end; ++p) {
     if (!planes_[p].of(*strip.tile)) continue;
     if (!any(wants_, group, p, s) && !any(holds_, group, p, s)) continue;
-    const Targets to = targets_of(job, group, p, strip, sums);
-    const bool scales = exact_row(to.wanted, to.held, n, scale.data(), owed.data());
+    const BlockTargets to = targets_of(job, group, p, strip, sums);
+    const bool scales = exact_row(to, n, scale.data(), owed.data());
     // Fill up to what the guide has in this very layer, even if the block's layers are mismatched.
     for (int i = 0; i < n; ++i)
       if (owed[at(i)] != 0)

@@ -10,6 +10,7 @@
 
 #include "core/base/threads.h"
 #include "core/detail/lock/block_ratios.h"
+#include "core/detail/lock/lock_rows.h"
 #include "core/detail/lock/uncovered_blocks.h"
 #include "core/detail/store/changed_blocks.h"
 #include "core/detail/store/detail_canvas.h"
@@ -19,9 +20,9 @@ namespace pentimento {
 /// How far the blocks were off before the lock: counts of |guide / detail - 1| by bins, over depth
 /// and pigments.
 struct LockStatistics {
-  static constexpr std::array<float, 7> kBound = {0.001f, 0.003f, 0.01f, 0.03f, 0.1f, 0.3f, 1.0f};
-  std::array<std::int64_t, 8> blocks{};  // the last bin: beyond all bounds
-  std::int64_t owed = 0;                 // uncovered blocks
+  static constexpr std::array<float, 7> kBound = kRatioBounds;
+  RatioCounts blocks{};
+  std::int64_t owed = 0;  // uncovered blocks
 };
 
 class Lock {
@@ -61,10 +62,6 @@ class Lock {
   struct Group {
     std::size_t begin = 0, end = 0;
   };
-  /// Of the blocks of a strip.
-  struct Targets {
-    const float *wanted, *held;
-  };
   struct TargetSums {
     std::array<float, kMostTileSide> wanted, held;
   };
@@ -82,8 +79,8 @@ class Lock {
            std::size_t s) const;
   bool find_off_groups();
   void smooth(const Job& job, std::size_t plane, const Strip& strip, int pass);
-  Targets targets_of(const Job& job, const Group& group, std::size_t plane, const Strip& strip,
-                     TargetSums& sums) const;
+  BlockTargets targets_of(const Job& job, const Group& group, std::size_t plane, const Strip& strip,
+                          TargetSums& sums) const;
   void find_ratios(const Job& job, std::size_t g, std::size_t s, int pass);
   void make_exact(const Job& job, std::size_t g, std::size_t s);
   void fill_uncovered_blocks(const Job& job, std::size_t first_group, std::size_t end_group);
