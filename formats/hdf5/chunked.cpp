@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "core/base/check.h"
+#include "core/base/interruption.h"
 #include "formats/hdf5/handle.h"
 #include "formats/io/deflate.h"
 
@@ -117,10 +118,11 @@ bool write_chunks(hid_t dataset, const RowSource& source, const Grid& grid, int 
     const int n = std::min(kChunksAtOnce, count - first);
     std::vector<Bytes> bytes(static_cast<std::size_t>(n));
     threads.for_ranges(0, n, 1, [&](int begin, int end) {
-      for (int i = begin; i < end; ++i)
+      for (int i = begin; i < end && unless_interrupted(source.cancelled); ++i)
         bytes[static_cast<std::size_t>(i)] = compressed_chunk(
             source, grid, place_of(grid, static_cast<std::uint64_t>(first + i)), level);
     });
+    if (!unless_interrupted(source.cancelled)) return false;
     for (int i = 0; i < n; ++i) {
       const Bytes& chunk = bytes[static_cast<std::size_t>(i)];
       if (chunk.empty()) continue;

@@ -5,6 +5,7 @@
 
 #include <hdf5.h>
 
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -27,13 +28,16 @@ struct RowSource {
   std::uint64_t chunk_side = 0;
   /// May return true for a part of a plane whose values are all zero bits, which saves reading it.
   std::function<bool(const CellWindow&)> zero;
+  /// Once it is set, no more chunks are written.
+  const std::atomic<bool>* cancelled = nullptr;
 };
 
 /// The shape of the chunks of such a dataset; `chunk_side` and `shape` as in RowSource.
 std::vector<hsize_t> chunk_shape(const std::vector<std::uint64_t>& shape, std::uint64_t chunk_side);
 
 /// Creates and fills the dataset `name` of type `type` (4 bytes, native). Chunks of nothing but
-/// zero bits are left out: they read as zero. Returns the dataset, or a negative number.
+/// zero bits are left out: they read as zero. Returns the dataset, or a negative number if HDF5
+/// failed or the source is cancelled.
 hid_t write_chunked(hid_t file, const std::string& name, hid_t type, const RowSource& source,
                     int deflate_level, const Threads& threads);
 

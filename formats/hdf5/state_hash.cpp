@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/interruption.h"
 #include "formats/hdf5/layout.h"
 #include "formats/hdf5/sleep.h"
 #include "formats/hdf5/state_dump.h"
@@ -30,10 +31,6 @@ constexpr int kInPartsVersion = 2;  // the hashes of its parts follow
 void to_little_endian(std::span<std::uint32_t> values) {
   if constexpr (std::endian::native == std::endian::big)
     for (std::uint32_t& v : values) v = __builtin_bswap32(v);
-}
-
-bool is_cancelled(const std::atomic<bool>* cancelled) {
-  return cancelled != nullptr && cancelled->load(std::memory_order_relaxed);
 }
 
 std::string first_lines(int version, std::int64_t step) {
@@ -60,7 +57,8 @@ void add_rows(const CanvasSource& canvas, const CanvasDataset& dataset,
   const int values = hdf5::cell_values(hdf5::shape_of(canvas), dataset);
   std::vector<std::uint32_t> row(static_cast<std::size_t>(canvas.geometry().width) *
                                  static_cast<std::size_t>(values));
-  for (std::int64_t y = 0; y < hdf5::row_count(canvas, dataset) && !is_cancelled(cancelled); ++y) {
+  for (std::int64_t y = 0; y < hdf5::row_count(canvas, dataset) && unless_interrupted(cancelled);
+       ++y) {
     hdf5::copy_cells(canvas, dataset, y, 0, row);
     to_little_endian(row);
     hash.update(row.data(), row.size() * sizeof(std::uint32_t));
@@ -175,7 +173,7 @@ std::string detail_sha256(const CanvasSource& canvas, const Threads& threads,
     std::vector<Sha256Bytes> hashes(static_cast<std::size_t>(parts.count()));
     threads.for_ranges(0, parts.count(), 1, [&](int begin, int end) {
       std::vector<std::uint32_t> work;
-      for (int i = begin; i < end && !is_cancelled(cancelled); ++i)
+      for (int i = begin; i < end && unless_interrupted(cancelled); ++i)
         hashes[static_cast<std::size_t>(i)] = parts.hash(i, work);
     });
     for (const Sha256Bytes& part : hashes) hash.update(part.data(), part.size());

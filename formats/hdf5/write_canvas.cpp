@@ -16,6 +16,7 @@ bool write_canvas(hid_t file, const CanvasSource& canvas, const CanvasWriting& h
       copy_cells(canvas, what, row, x, out);
     };
     source.chunk_side = how.chunk_side;
+    source.cancelled = how.cancelled;
     if (what.is_paint) source.zero = [&](const CellWindow& part) { return canvas.empty(part); };
     const hid_t type = what.is_integer ? H5T_NATIVE_UINT32 : H5T_NATIVE_FLOAT;
     const Handle dataset(

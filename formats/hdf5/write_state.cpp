@@ -3,6 +3,7 @@
 
 #include <string_view>
 
+#include "core/base/interruption.h"
 #include "core/base/threads.h"
 #include "core/optics/tone.h"
 #include "formats/hdf5/chunked.h"
@@ -183,14 +184,17 @@ bool write_root(hid_t file, const StateDump& dump, const Hashes& hashes,
 }
 
 /// The canvas that the dump is of; at detail 1 that is the guide.
-bool write_canvases(hid_t file, const StateDump& dump, int level, const Threads& threads) {
+bool write_canvases(hid_t file, const StateDump& dump, const DumpOptions& options,
+                    const Threads& threads) {
+  const int level = options.deflate_level;
   const StateSource guide(dump.state);
   if (!dump.fine)
-    return hdf5::write_canvas(file, guide, {"", 0, level}, threads) &&
+    return hdf5::write_canvas(file, guide, {"", 0, level, options.cancelled}, threads) &&
            hdf5::write_sleep(file, "", dump.state);
-  bool ok = hdf5::write_canvas(file, *dump.fine, {"", hdf5::kChunkSide, level}, threads);
+  bool ok = hdf5::write_canvas(file, *dump.fine, {"", hdf5::kChunkSide, level, options.cancelled},
+                               threads);
   for (const char* group : kGuideGroups) ok = ok && hdf5::make_group(file, group);
-  return ok && hdf5::write_canvas(file, guide, {"/guide", 0, level}, threads) &&
+  return ok && hdf5::write_canvas(file, guide, {"/guide", 0, level, options.cancelled}, threads) &&
          hdf5::write_sleep(file, "/guide", dump.state) &&
          (!dump.checkpoint || hdf5::write_checkpoint(file, *dump.checkpoint,
                                                      {dump.state, dump.detail}, level, threads));
@@ -202,7 +206,7 @@ bool write_content(hid_t file, const StateDump& dump, const Hashes& hashes,
   const int level = options.deflate_level;
   bool ok = file >= 0;
   for (const char* group : kGroups) ok = ok && hdf5::make_group(file, group);
-  return ok && write_canvases(file, dump, level, threads) && write_basis(file, dump.basis) &&
+  return ok && write_canvases(file, dump, options, threads) && write_basis(file, dump.basis) &&
          write_palette(file, dump) && write_lighting(file, dump.lighting, level, threads) &&
          write_root(file, dump, hashes, options.provenance) &&
          H5Fflush(file, H5F_SCOPE_GLOBAL) >= 0;
@@ -252,7 +256,9 @@ Result<std::unique_ptr<OutputFile>> complete_state(const std::string& path, cons
                      : dump.state_sha256;
   std::string image;
   const Error no_memory = {ErrorCode::kLimit, path + ": no memory to build the state dump"};
-  if (!dump.fine && (image = file_image(dump, hashes, options)).empty()) return no_memory;
+  if (!dump.fine) image = file_image(dump, hashes, options);
+  if (Result<void> go = unless_interrupted(options.cancelled); !go) return go.error();
+  if (!dump.fine && image.empty()) return no_memory;
   Result<std::unique_ptr<OutputFile>> file = OutputFile::create(path, options.no_clobber);
   if (!file) return file.error();
   OutputFile& output = **file;
@@ -264,6 +270,7 @@ Result<std::unique_ptr<OutputFile>> complete_state(const std::string& path, cons
   if (output.is_stream())
     return Error{ErrorCode::kUsage, path + ": a state dump of a detail canvas cannot go to a pipe"};
   const bool streamed = stream_file(output, dump, hashes, options);
+  if (Result<void> go = unless_interrupted(options.cancelled); !go) return go.error();
   if (const Result<void> written = output.status(); !written) return written.error();
   if (const Result<void> read = dump.fine->status(); !read) return read.error();
   if (!streamed) return no_memory;

@@ -70,7 +70,7 @@ class Replay {
   Result<void> pass_stops();
   Result<void> play_to_stop(std::size_t stop);
   Result<void> write(const std::vector<PlannedOutput>& files);
-  void hash(const CanvasView& view);
+  Result<void> hash(const CanvasView& view);
   Origin origin(const Lighting& lighting) const;
   StateDump dump_of(const CanvasView& view, Lighting lighting, const Origin& from) const;
   double time_s() const;
@@ -295,10 +295,11 @@ Origin Replay::origin(const Lighting& lighting) const {
   return origin;
 }
 
-void Replay::hash(const CanvasView& view) {
-  report_.guide_sha256 = state_sha256(simulation_->state());
-  report_.state_sha256 =
-      view.detail > 1 ? detail_sha256(*view.canvas, threads_) : report_.guide_sha256;
+Result<void> Replay::hash(const CanvasView& view) {
+  report_.guide_sha256 = state_sha256(simulation_->state(), control_.cancelled);
+  report_.state_sha256 = view.detail > 1 ? detail_sha256(*view.canvas, threads_, control_.cancelled)
+                                         : report_.guide_sha256;
+  return control_.go_on();
 }
 
 Result<void> Replay::write(const std::vector<PlannedOutput>& files) {
@@ -309,7 +310,8 @@ Result<void> Replay::write(const std::vector<PlannedOutput>& files) {
                          std::all_of(files.begin(), files.end(), [](const PlannedOutput& output) {
                            return output.kind == OutputKind::kVideo;
                          });
-  if (!only_film) hash(view);
+  if (!only_film)
+    if (Result<void> hashed = hash(view); !hashed) return hashed;
   // The light at this moment: the log's, then what the options change, then lamps fixed in the
   // room.
   if (Result<void> looked = lighting_.look(player_->steps()); !looked) return looked;

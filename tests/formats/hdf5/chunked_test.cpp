@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <mutex>
 #include <set>
 #include <utility>
@@ -51,6 +52,22 @@ TEST(WriteChunked, ChunksAtTheEdgesAskForCellsOfThePlaneOnly) {
   ASSERT_GE(H5Dread(dataset.id(), H5T_NATIVE_UINT32, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
             0);
   for (std::size_t i = 0; i < values.size(); ++i) EXPECT_EQ(values[i], i + 1);
+}
+
+TEST(WriteChunked, WritesNoMoreOnceItIsCancelled) {
+  const test::Scratch scratch;
+  CountedPlane plane;
+  std::atomic<bool> cancelled = false;
+  RowSource source = plane.source();
+  source.cancelled = &cancelled;
+  source.copy = [&, copy = source.copy](std::int64_t row, int x, std::span<std::uint32_t> out) {
+    copy(row, x, out);
+    cancelled = true;  // while the first chunk is read
+  };
+  const Handle file(
+      H5Fcreate(scratch.path("a.h5").c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose);
+  EXPECT_LT(write_chunked(file.id(), "a", H5T_NATIVE_UINT32, source, 1, Threads(1)), 0);
+  EXPECT_EQ(plane.asked, (std::set<std::pair<int, std::size_t>>{{0, 4}}));
 }
 
 }  // namespace

@@ -301,6 +301,51 @@ with h5py.File(sys.argv[1], 'r+') as f:
   EXPECT_NE(after("detail").find("not 4 times its guide"), std::string::npos);
 }
 
+/// A canvas whose reader is interrupted when it comes to the reflectance.
+class Interrupting : public MadeUpCanvas {
+ public:
+  Interrupting(const CanvasGeometry& grid, std::atomic<bool>& cancelled)
+      : MadeUpCanvas(grid, 2, 3), cancelled_(cancelled) {}
+  void read(PlaneId plane, int x, int y, std::span<float> out) const override {
+    MadeUpCanvas::read(plane, x, y, out);
+    if (plane.kind == PlaneKind::kReflectance) cancelled_ = true;
+    if (plane.kind == PlaneKind::kPigment) read_on_ = true;
+  }
+  bool read_on() const { return read_on_; }
+
+ private:
+  std::atomic<bool>& cancelled_;
+  mutable std::atomic<bool> read_on_ = false;
+};
+
+TEST(FineDump, WritingHearsASignal) {
+  const Scratch scratch;
+  StateDump dump = made_up_detail_dump(11);
+  std::atomic<bool> cancelled = false;
+  const auto canvas = std::make_shared<Interrupting>(dump.fine->geometry(), cancelled);
+  dump.fine = canvas;
+  dump.state_sha256 = std::string(64, '0');  // else the hash would hear it
+  DumpOptions options;
+  options.cancelled = &cancelled;
+  const auto written = write_state(scratch.path("a.h5"), dump, options);
+  ASSERT_FALSE(written);
+  EXPECT_EQ(written.error().code, ErrorCode::kInterrupted);
+  EXPECT_FALSE(canvas->read_on());
+  EXPECT_TRUE(std::filesystem::is_empty(scratch.path("")));
+}
+
+TEST(FineDump, WritingAGuideHearsASignal) {
+  const Scratch scratch;
+  const StateDump dump = test::made_up_dump(61, 47, 2, 3);
+  const std::atomic<bool> cancelled = true;
+  DumpOptions options;
+  options.cancelled = &cancelled;
+  const auto written = write_state(scratch.path("a.h5"), dump, options);
+  ASSERT_FALSE(written);
+  EXPECT_EQ(written.error().code, ErrorCode::kInterrupted);
+  EXPECT_TRUE(std::filesystem::is_empty(scratch.path("")));
+}
+
 TEST(FineDump, AFullDiskIsAnErrorAndNoCrash) {
   // /dev/full cannot be mapped or renamed; a limit on the size of files takes the same path.
   const Scratch scratch;
