@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "formats/io/utf8.h"
 #include "formats/log/json/json_line.h"
 #include "formats/log/parse/palette_parser.h"
 #include "formats/log/stream/raw_file.h"
@@ -12,6 +13,7 @@ namespace {
 
 constexpr std::size_t kMostBytes = std::size_t{1} << 20;
 constexpr int kMostDepth = 16;
+constexpr std::size_t kMostProblemBytes = 300;  // a line that can still be read
 
 Result<std::string> read_text(const std::string& path) {
   Result<std::unique_ptr<RawFile>> file = RawFile::open(path);
@@ -37,7 +39,8 @@ Result<std::vector<PigmentSpec>> read_palette_file(const std::string& path) {
   const Result<std::string> text = read_text(path);
   if (!text) return text.error();
   const auto bad = [&](const std::string& what) {
-    return Error{ErrorCode::kBadInput, path + ": " + what};
+    return Error{ErrorCode::kBadInput,
+                 path + ": " + brief_line(valid_utf8(what), kMostProblemBytes)};
   };
   // Nodes point into the text, which the parser reads a little past. A log's first line stands by
   // itself.
