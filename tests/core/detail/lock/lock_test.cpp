@@ -199,22 +199,32 @@ TEST_F(LockTest, CountsRatiosBeyondAllBounds) {
 }
 
 TEST_F(LockTest, TheStateDoesNotDependOnThreads) {
-  const auto locked_by = [&](const Threads& threads) {
-    for (int y = 0; y < 16; ++y)
-      for (int x = 0; x < 16; ++x) {
-        guide_.depth_m(x, y) = 0.01f + 0.001f * static_cast<float>((x * 7 + y * 5) % 11);
-        guide_.channel(0, 0)(x, y) = 0.02f + 0.001f * static_cast<float>((x * 3 + y * 5) % 7);
-      }
-    canvas_.ensure_planes(0, guide_);
-    for (int i = 0; i < 128 * 128; ++i) {
-      depth()[i] = i % 128 < 100 ? 0.01f + 1e-5f * static_cast<float>(i % 13) : 0.0f;
-      pigment()[i] = i % 128 < 90 ? 0.02f + 1e-5f * static_cast<float>(i % 17) : 0.0f;
+  // Nine tiles, for more strips than one task has.
+  const DetailLayout layout({48, 48, 1, 1}, 8);
+  CanvasState guide = make_canvas_state({48, 48, 1, 1}, 1, 1, 3, 1.0f);
+  for (int y = 0; y < 48; ++y)
+    for (int x = 0; x < 48; ++x) {
+      guide.depth_m(x, y) = 0.01f + 0.001f * static_cast<float>((x * 7 + y * 5) % 7);
+      guide.channel(0, 0)(x, y) = 0.02f + 0.001f * static_cast<float>((x * 3 + y * 5) % 7);
     }
-    ChangedBlocks all(layout_);
-    all.add({0, 16, 0, 16});
-    lock_.lock(canvas_, guide_, all.strips(), threads);
-    std::vector<float> values(depth(), depth() + 128 * 128);
-    values.insert(values.end(), pigment(), pigment() + 128 * 128);
+  const auto locked_by = [&](const Threads& threads) {
+    DetailCanvas canvas(layout, 1, 1, 3, substrate_, *store_);
+    ChangedBlocks all(layout);
+    all.add({0, 48, 0, 48});
+    for (const int tile : all.tiles()) {
+      canvas.ensure_planes(tile, guide);
+      for (int i = 0; i < 128 * 128; ++i) {
+        canvas.find(tile)->depth_m.data()[i] = 0.01f + 1e-5f * static_cast<float>(i % 13);
+        canvas.find(tile)->pigment[0].data()[i] = 0.02f + 1e-5f * static_cast<float>(i % 17);
+      }
+    }
+    Lock(layout).lock(canvas, guide, all.strips(), threads);
+    std::vector<float> values;
+    for (const int tile : all.tiles())
+      for (const WetPlane plane : {WetPlane{}, WetPlane{0}}) {
+        const float* data = plane.of(*canvas.find(tile)).data();
+        values.insert(values.end(), data, data + 128 * 128);
+      }
     return values;
   };
   const std::vector<float> one = locked_by(Threads(1));
