@@ -244,6 +244,7 @@ SimulationMemory Simulation::memory() const {
     memory.touches.push_back({id, touch.stroke_id, touch.down, touch.reservoir.content()});
   memory.account = impl_->account;
   memory.stamps = impl_->stamps;
+  memory.fresh = impl_->fresh;
   memory.scheme = impl_->scheme->memory();
   return memory;
 }
@@ -277,6 +278,7 @@ void Simulation::recall(CanvasState state, const SimulationMemory& memory) {
   }
   m.stamps = memory.stamps;
   m.adopt_state();
+  m.fresh = memory.fresh;
   m.scheme->recall(memory.scheme);
 }
 

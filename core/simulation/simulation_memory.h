@@ -22,6 +22,7 @@ struct SimulationMemory {
   std::vector<TouchMemory> touches;  // by ascending id
   PaintAccount account;
   std::int64_t stamps = 0;
+  bool fresh = false;          // StepInput::fresh, of the next step
   std::vector<double> scheme;  // FluidScheme::memory()
 };
 

@@ -50,6 +50,7 @@ void put_memory(const SimulationMemory& memory, ArchiveWriter& to) {
   put_flow(memory.account.picked_up, to);
   put_flow(memory.account.dried, to);
   to.i64(memory.stamps);
+  to.flag(memory.fresh);
   to.list(std::span<const double>(memory.scheme));
 }
 
@@ -66,6 +67,7 @@ SimulationMemory take_memory(ArchiveReader& from) {
   memory.account.picked_up = take_flow(from);
   memory.account.dried = take_flow(from);
   memory.stamps = from.i64();
+  memory.fresh = from.flag();
   memory.scheme = from.list<double>();
   return memory;
 }

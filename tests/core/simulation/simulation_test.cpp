@@ -394,6 +394,21 @@ TEST(Simulation, AFreshCanvasSleeps_AndComesToTheSameState) {
   }
 }
 
+TEST(Simulation, WhatIsRecalledIsAsFreshAsItWas) {
+  const Threads threads(1);
+  Simulation sim(setup_of(64, 2), threads);
+  for (const bool fresh : {true, false}) {
+    EXPECT_EQ(sim.memory().fresh, fresh);
+    Simulation twin(setup_of(64, 2), threads);
+    if (fresh) twin.step();
+    twin.recall(clone_state(sim.state()), sim.memory());
+    EXPECT_EQ(twin.memory().fresh, fresh);
+    sim.step();
+  }
+  sim.dry();
+  EXPECT_TRUE(sim.memory().fresh);
+}
+
 TEST(Simulation, ALoadedImageIsTheDryLayer) {
   const Threads threads(1);
   Simulation sim(setup_of(64, 2), threads);

@@ -13,6 +13,7 @@ SimulationMemory some_memory() {
   memory.account.picked_up = {2e-6, {0.3, 0.4}};
   memory.account.dried = {3e-6, {0.5, 0.6}};
   memory.stamps = 123;
+  memory.fresh = true;
   memory.scheme = {1, 2, 3};
   return memory;
 }
@@ -32,6 +33,7 @@ TEST(MemoryPart, BringsBackEveryValue) {
   EXPECT_EQ(back.touches[0].reservoir.dry_ahead_frac, 0.25f);
   EXPECT_EQ(back.account.picked_up.channel[1], 0.4);
   EXPECT_EQ(back.stamps, 123);
+  EXPECT_TRUE(back.fresh);
 }
 
 TEST(MemoryPart, CutAnywhereIsRefused) {

@@ -1,6 +1,7 @@
 #include "replay/checkpoint/checkpointer.h"
 
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -102,6 +103,25 @@ TEST(Checkpointer, SoIsWhatGoesOnFromADump) {
   job.from = folder.path("half.h5");
   job.detail = 2;
   expect_heavy_mode_changes_nothing(busy_log(), job, folder);
+}
+
+TEST(Checkpointer, SoIsWhatWasInterruptedBeforeItsFirstStep) {
+  // The replay warns of the edge when it has read the log and is about to paint.
+  const std::string log =
+      busy_log().replace(busy_log().find(R"("height":0.15)"), 13, R"("height":0.15,"edge":"open")");
+  const JobFolder folder;
+  RenderJob job = folder.job({"a.png"}, {"0.6"});
+  job.model = {{"sleep_tile", "0.02"}};  // so that some tiles sleep from the first step on
+  folder.write("a.jsonl", log);
+  const std::string plain = comparable(rendered(job));
+  std::atomic<bool> cancelled = false;
+  Control control;
+  control.cancelled = &cancelled;
+  control.warn = [&](const std::string&) { cancelled = true; };
+  const Result<JobReport> done = render(checkpointed(job, folder), control);
+  ASSERT_FALSE(done);
+  EXPECT_THAT(done.error().message, testing::HasSubstr("interrupted at step 0;"));
+  EXPECT_EQ(comparable(rendered(checkpointed(job, folder))), plain);
 }
 
 TEST(Checkpointer, SoIsAFilm) {
