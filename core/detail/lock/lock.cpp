@@ -22,7 +22,7 @@ struct Lock::Job {
 
 namespace {
 constexpr int kSmoothings = 3;
-constexpr int kCellsPerTask = 16384;
+constexpr int kCellsPerTask = 4096;  // some microseconds, as in for_runs
 
 /// The part of a strip that a ratio other than 1 reaches.
 BlockStrip off_part(const RatiosAround& ratio, BlockStrip strip) {
