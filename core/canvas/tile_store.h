@@ -34,8 +34,8 @@ class TileStore {
   TileStore& operator=(const TileStore&) = delete;
 
   /// A buffer of zeros, which counts as used now. Its space is reserved here, so that no later
-  /// write can fail. Errors: kLimit (no memory), kIo (the disk of the scratch folder is full or
-  /// fails).
+  /// write can fail, and without a file its memory is given here. Errors: kLimit (no memory), kIo
+  /// (the disk of the scratch folder is full or fails).
   Result<Buffer> allocate();
   /// Gives back the buffer's memory, and in a scratch file its space on the disk. allocate() may
   /// give the same buffer again.

@@ -8,8 +8,10 @@ namespace pentimento {
 
 /// Memory of the detail canvas, bytes.
 struct DetailCost {
-  std::int64_t cell = 4;     // of a plane: depth, relief, a layer of a channel, a band that dried
-  std::int64_t page = 4096;  // what the system gives of a plane once something is written there
+  std::int64_t cell = 4;  // of a plane: depth, relief, a layer of a channel, a band that dried
+  // Rows of a plane count by so many bytes. A plane has all its memory from the start; but not all
+  // channels come that may come, and with whole planes more was foreseen than found.
+  std::int64_t page = 4096;
   std::int64_t bare_tile = 16;  // where there never was paint
 };
 

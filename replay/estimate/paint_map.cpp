@@ -153,7 +153,7 @@ std::int64_t PaintMap::tile_bytes(const CellBox& box) const {
   return bytes;
 }
 
-/// Memory of a wet plane with paint of `mask` in it.
+/// Memory that counts of a wet plane with paint of `mask` in it.
 std::int64_t PaintMap::written_bytes(std::span<const std::uint32_t> rows,
                                      std::uint32_t mask) const {
   const std::int64_t row = cost_.cell * layout_.side() * layout_.factor();

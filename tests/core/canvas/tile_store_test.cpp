@@ -1,6 +1,7 @@
 #include "core/canvas/tile_store.h"
 
 #include <gtest/gtest.h>
+#include <sys/mman.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -57,6 +58,27 @@ TEST(TileStore, GivesZerosInMemoryAndInAFile) {
     EXPECT_TRUE(all_are(*store, again, 0));
     EXPECT_TRUE(all_are(*store, b, 2));
   }
+}
+
+/// Pages of a buffer that the process has in memory.
+std::ptrdiff_t pages_in_memory(const TileStore& store, TileStore::Buffer buffer) {
+  std::array<unsigned char, 64> in_memory{};
+  EXPECT_EQ(mincore(store.data(buffer), kBlockBytes, in_memory.data()), 0);
+  return std::count_if(in_memory.begin(), in_memory.end(), [](auto page) { return page & 1; });
+}
+
+TEST(TileStore, GivesABufferAllItsMemoryAtOnce) {
+  const std::int64_t pages = kBlockBytes / sysconf(_SC_PAGESIZE);
+  const auto store = open_store({});
+  const TileStore::Buffer a = *store->allocate();
+  if (madvise(store->data(a), kBlockBytes, MADV_POPULATE_WRITE) != 0)
+    GTEST_SKIP() << "this system gives pages one by one";
+  const TileStore::Buffer b = *store->allocate();
+  EXPECT_EQ(pages_in_memory(*store, b), pages);
+  store->free(b);
+  EXPECT_EQ(pages_in_memory(*store, b), 0);
+  EXPECT_EQ(*store->allocate(), b);
+  EXPECT_EQ(pages_in_memory(*store, b), pages);
 }
 
 TEST(TileStore, LeavesNoFileBehind) {
