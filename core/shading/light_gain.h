@@ -3,6 +3,7 @@
 // cells means of the light under it. Pure functions.
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "core/shading/tile_plan.h"
@@ -40,6 +41,21 @@ using GainRows = std::array<const float*, 3>;
 /// range. Source: de Boor 1978. Departs from it: no prefilter.
 void gain_pixels(const GainLine& across, int i, const std::array<float, 3>& down,
                  const GainRows& gain, float* out);
+
+/// What the light under a gain depends on, cell by cell of a row:
+///   M_nm = sum over the cell's pixels of P wy_n wx_m,  sum of P G = sum_nm M_nm g_(i+m-1),n
+/// It is found once for all gains. Scheme: sums in float, the rows of a column first. Stable: sums
+/// of light >= 0. Source: the order of summation in gain_pixels(), exchanged.
+constexpr int kGainMoments = 9;  // 3 n + m
+
+/// The moments of the cells [first, last). `light`: rows of pixels of one colour, each the whole
+/// run of `across`, with their weights `down`. `moment`: kGainMoments rows of across.cells().
+void find_gain_moments(const GainLine& across, int first, int last,
+                       std::span<const float* const> light, const std::array<float, 3>* down,
+                       float* moment);
+
+/// The sum of P G over the pixels of each cell of a row, from its moments.
+void sum_under_gain(const float* moment, int cells, const GainRows& gain, float* sum);
 
 /// What a cell's light is raised by, from what it should be (`wanted`) and what it is (`found`):
 ///   (wanted + f) / (found + f),  f = 0.002: light below a five-hundredth of white is not told

@@ -56,8 +56,9 @@ LightLock::LightLock(const LightLockFrame& frame, const LightPlanes& light, cons
       sinks_(std::move(sinks)),
       across_(frame.x, frame.cell_columns),
       down_(frame.y, frame.cell_rows),
+      moments_(3 * kGainMoments * across_.cells(), kRounds + 1),
       mean_(3 * across_.cells(), kKept) {
-  for (CellRows& gain : gain_) gain = CellRows(3 * across_.cells(), kKept);
+  for (CellRows& gain : gain_) gain = CellRows(3 * across_.cells(), kKept, 1.0f);
 }
 
 Result<void> LightLock::write(const PictureStrip& strip) {
@@ -90,9 +91,10 @@ void LightLock::take(const PictureStrip& strip, int row) {
 /// above and below.
 Result<void> LightLock::tick(int t) {
   const auto there = [&](int y) { return y >= 0 && y < down_.cells(); };
+  if (there(t)) find_moments(t);
   for (int round = 0; round < kRounds; ++round)
     if (there(t - round)) refine(t - round, round);
-  if (const int y = t - kRounds; there(y)) find_means(y, &gain_[kRounds - 1], row(mean_, y));
+  if (const int y = t - kRounds; there(y)) find_means(y, gain_[kRounds], row(mean_, y));
   if (const int y = t - kRounds - 1; there(y)) refine_around(y);
   if (const int y = t - kReach; there(y)) return finish_cells(y);
   return {};
@@ -105,39 +107,42 @@ GainRows LightLock::gains(CellRows& rows, int y, int colour) const {
   return out;
 }
 
-/// Mean light of a row of cells under a gain; without a gain as it came.
-void LightLock::find_means(int y, CellRows* gain, float* mean) {
+/// What the mean light of a row of cells depends on, for all rounds.
+void LightLock::find_moments(int y) {
   const int begin = down_.begin[at(y)], end = down_.begin[at(y) + 1];
   threads_.for_ranges(0, across_.cells(), kCellsPerTask, [&](int first, int last) {
-    std::vector<float> factor(at(across_.pixel_run.count), 1.0f);
+    std::vector<const float*> rows(at(end - begin));
     for (int colour = 0; colour < 3; ++colour) {
-      const GainRows rows = gain != nullptr ? gains(*gain, y, colour) : GainRows{};
-      for (int i = first; i < last; ++i) {
-        const int left = across_.begin[at(i)], columns = across_.begin[at(i) + 1] - left;
-        float sum = 0;
-        for (int p = begin; p < end; ++p) {
-          if (gain != nullptr) gain_pixels(across_, i, down_.weight[at(p)], rows, factor.data());
-          const float* in = pixels_[at(p - dropped_)].data() +
-                            std::ptrdiff_t{colour} * across_.pixel_run.count + left;
-          for (int x = 0; x < columns; ++x) sum += in[x] * factor[at(x)];
-        }
-        mean[colour * across_.cells() + i] = sum / static_cast<float>(columns * (end - begin));
-      }
+      for (int p = begin; p < end; ++p)
+        rows[at(p - begin)] =
+            pixels_[at(p - dropped_)].data() + std::ptrdiff_t{colour} * across_.pixel_run.count;
+      find_gain_moments(across_, first, last, rows, &down_.weight[at(begin)], moments(y, colour));
     }
   });
 }
 
+/// Mean light of a row of cells under a gain.
+void LightLock::find_means(int y, CellRows& gain, float* mean) {
+  const int rows = down_.begin[at(y) + 1] - down_.begin[at(y)], cells = across_.cells();
+  for (int colour = 0; colour < 3; ++colour, mean += cells) {
+    sum_under_gain(moments(y, colour), cells, gains(gain, y, colour), mean);
+    for (int i = 0; i < cells; ++i) {
+      const int columns = across_.begin[at(i) + 1] - across_.begin[at(i)];
+      mean[i] /= static_cast<float>(columns * rows);
+    }
+  }
+}
+
 void LightLock::refine(int y, int round) {
-  float* gain = row(gain_[at(round)], y);
-  CellRows* before = round > 0 ? &gain_[at(round - 1)] : nullptr;
-  find_means(y, before, gain);
+  const float* was = row(gain_[at(round)], y);
+  float* gain = row(gain_[at(round) + 1], y);
+  find_means(y, gain_[at(round)], gain);
   for (int colour = 0; colour < 3; ++colour) {
     const float* wanted =
         light_[at(colour)].row(frame_.cell_rows.first + y) + frame_.cell_columns.first;
     for (int i = 0; i < across_.cells(); ++i) {
       const int c = colour * across_.cells() + i;
-      const float was = before != nullptr ? row(*before, y)[c] : 1.0f;
-      gain[c] = std::clamp(was * light_ratio(wanted[i], gain[c]), kLeastGain, kMostGain);
+      gain[c] = std::clamp(was[c] * light_ratio(wanted[i], gain[c]), kLeastGain, kMostGain);
     }
   }
 }
@@ -145,8 +150,8 @@ void LightLock::refine(int y, int round) {
 /// The last round, with means of 3 x 3 cells.
 void LightLock::refine_around(int y) {
   const int cells = across_.cells();
-  float* gain = row(gain_[kRounds], y);
-  const float* was = row(gain_[kRounds - 1], y);
+  float* gain = row(gain_[kRounds + 1], y);
+  const float* was = row(gain_[kRounds], y);
   for (int colour = 0; colour < 3; ++colour) {
     for (int i = 0; i < cells; ++i) {
       float wanted = 0, found = 0;
@@ -164,12 +169,15 @@ void LightLock::refine_around(int y) {
 }
 
 Result<void> LightLock::finish_cells(int y) {
-  for (int p = down_.begin[at(y)]; p < down_.begin[at(y) + 1]; ++p) {
+  const int begin = down_.begin[at(y)], end = down_.begin[at(y) + 1];
+  threads_.for_ranges(begin, end, 1, [&](int from, int to) {
+    for (int p = from; p < to; ++p) apply_gain(p, y);
+  });
+  for (int p = begin; p < end; ++p) {
     const int picture_row = down_.pixel_run.first + p - frame_.rows.first;
     if (picture_row >= 0 && picture_row < frame_.rows.count) {
-      finish_row(p, y);
-      ++done_;
-      if (++waiting_ == batch_.front().height() || done_ == frame_.rows.count)
+      add_to_batch(pixels_.front());
+      if (waiting_ == batch_.front().height() || done_ == frame_.rows.count)
         if (auto done = hand_on(); !done) return done;
     }
     pixels_.pop_front();
@@ -178,22 +186,28 @@ Result<void> LightLock::finish_cells(int y) {
   return {};
 }
 
-/// A row of pixels with its gain, into the batch. It is the oldest that is kept.
-void LightLock::finish_row(int pixel_row, int cell_row) {
+/// The gain on a row of pixels.
+void LightLock::apply_gain(int pixel_row, int cell_row) {
   const int width = across_.pixel_run.count;
-  const int skipped = frame_.columns.first - across_.pixel_run.first;
-  std::vector<float>& line = pixels_.front();
+  float* light = pixels_[at(pixel_row - dropped_)].data();
   std::vector<float> factor(at(width));
-  for (int colour = 0; colour < 3; ++colour) {
-    const GainRows rows = gains(gain_[kRounds], cell_row, colour);
+  for (int colour = 0; colour < 3; ++colour, light += width) {
+    const GainRows rows = gains(gain_[kRounds + 1], cell_row, colour);
     for (int i = 0; i < across_.cells(); ++i)
       gain_pixels(across_, i, down_.weight[at(pixel_row)], rows, &factor[at(across_.begin[at(i)])]);
-    float* light = line.data() + std::ptrdiff_t{colour} * width;
     for (int x = 0; x < width; ++x) light[x] *= factor[at(x)];
   }
-  for (std::size_t p = 0; p < batch_.size(); ++p)
-    std::copy_n(line.data() + p * at(width) + at(skipped), frame_.columns.count,
-                batch_[p].row(waiting_));
+}
+
+/// What is asked for of a finished row.
+void LightLock::add_to_batch(const std::vector<float>& line) {
+  const float* from = line.data() + (frame_.columns.first - across_.pixel_run.first);
+  for (Field<float>& plane : batch_) {
+    std::copy_n(from, frame_.columns.count, plane.row(waiting_));
+    from += across_.pixel_run.count;
+  }
+  ++waiting_;
+  ++done_;
 }
 
 Result<void> LightLock::hand_on() {

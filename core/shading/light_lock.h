@@ -58,11 +58,17 @@ class LightLock : public PictureSink {
   GainRows gains(CellRows& rows, int y, int colour) const;
   void take(const PictureStrip& strip, int row);
   Result<void> tick(int t);
-  void find_means(int y, CellRows* gain, float* mean);
+  float* moments(int y, int colour) {
+    return moments_.row(y % moments_.height()) +
+           std::ptrdiff_t{colour} * kGainMoments * across_.cells();
+  }
+  void find_moments(int y);
+  void find_means(int y, CellRows& gain, float* mean);
   void refine(int y, int round);
   void refine_around(int y);
   Result<void> finish_cells(int y);
-  void finish_row(int pixel_row, int cell_row);
+  void apply_gain(int pixel_row, int cell_row);
+  void add_to_batch(const std::vector<float>& line);
   Result<void> hand_on();
 
   const LightLockFrame frame_;
@@ -74,7 +80,8 @@ class LightLock : public PictureSink {
   std::deque<std::vector<float>> pixels_;  // rows that arrived and are not finished, plane by plane
   int arrived_ = 0, dropped_ = 0;          // rows of pixels
   int ticks_ = 0;
-  std::array<CellRows, kRounds + 1> gain_;  // after each round
+  Field<float> moments_;                    // a ring of rows of cells, for all rounds
+  std::array<CellRows, kRounds + 2> gain_;  // 1 everywhere; after each round
   CellRows mean_;                           // before the last round
   std::vector<Field<float>> batch_;         // per plane: rows not yet handed on
   int waiting_ = 0, done_ = 0;              // of them; of the rows asked for

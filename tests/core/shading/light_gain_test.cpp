@@ -157,6 +157,45 @@ TEST(GainPixels, StaysWithinTheGains) {
   }
 }
 
+/// Whole cells, some of the run only, cells of unequal size, one pixel a cell, one cell.
+TEST(GainMoments, SumWhatGainPixelsMultiplies) {
+  struct Part {
+    GainAxis axis;
+    int first, last;
+  };
+  for (const Part& part :
+       {Part{{5, 40}, 0, 5}, {{5, 40}, 1, 3}, {{10, 25}, 3, 8}, {{7, 7}, 2, 7}, {{1, 9}, 0, 1}}) {
+    const GainLine across(part.axis, {0, part.axis.cells});
+    const auto width = static_cast<std::size_t>(part.axis.pixels);
+    const auto cells = static_cast<std::size_t>(part.axis.cells);
+    const std::vector<std::array<float, 3>> down = {{0.5f, 0.5f, 0}, {0.1f, 0.7f, 0.2f}};
+    std::vector<std::vector<float>> light(2, std::vector<float>(width)), gain(3);
+    for (std::size_t p = 0; p < 2; ++p)
+      for (std::size_t x = 0; x < width; ++x)
+        light[p][x] = 0.1f + 0.3f * static_cast<float>((7 * x + 5 * p) % 11);
+    for (std::size_t n = 0; n < 3; ++n)
+      for (std::size_t i = 0; i < cells; ++i)
+        gain[n].push_back(0.5f + 0.25f * static_cast<float>((3 * i + 2 * n) % 7));
+    const GainRows rows = {gain[0].data(), gain[1].data(), gain[2].data()};
+    std::vector<float> moment(kGainMoments * cells, 0), sum(cells), factor(width);
+    const std::array<const float*, 2> pixels = {light[0].data(), light[1].data()};
+    find_gain_moments(across, part.first, part.last, pixels, down.data(), moment.data());
+    sum_under_gain(moment.data(), part.axis.cells, rows, sum.data());
+    for (int i = 0; i < part.axis.cells; ++i) {
+      double expected = 0;
+      for (std::size_t p = 0; p < 2 && i >= part.first && i < part.last; ++p) {
+        gain_pixels(across, i, down[p], rows, factor.data());
+        const int begin = across.begin[static_cast<std::size_t>(i)];
+        for (int x = begin; x < across.begin[static_cast<std::size_t>(i) + 1]; ++x)
+          expected += static_cast<double>(light[p][static_cast<std::size_t>(x)]) *
+                      static_cast<double>(factor[static_cast<std::size_t>(x - begin)]);
+      }
+      // Some thirty roundings of float.
+      EXPECT_NEAR(sum[static_cast<std::size_t>(i)], expected, 2e-6 * expected) << i;
+    }
+  }
+}
+
 TEST(LightRatio, IsLimitedAndTellsNoBlacksApart) {
   EXPECT_EQ(light_ratio(0, 0), 1);
   EXPECT_EQ(light_ratio(0.3f, 0.3f), 1);
