@@ -18,7 +18,8 @@ struct Run {
 template <typename Body>
 void for_runs(const Threads& threads, const std::vector<Run>& runs, const Body& body) {
   if (runs.empty()) return;
-  // A few microseconds of work: to hand out a task takes one, and the last one keeps others waiting.
+  // A few microseconds of work: to hand out a task takes one, and the last one keeps others
+  // waiting.
   constexpr int kCellsPerTask = 4096;
   const int mean = std::max(1, (runs.front().size() + runs.back().size()) / 2);
   threads.for_ranges(0, static_cast<int>(runs.size()), std::max(1, kCellsPerTask / mean),

@@ -113,11 +113,12 @@ Result<TileStore::Buffer> TileStore::allocate() {
   }
   ++used_;
   mark_used(buffer);
-  // A page that is read before it is written would be given twice: first the system's page of
-  // zeros, then one of its own, and at that moment all other threads are interrupted. An old system
-  // refuses, and gives pages one by one.
-  if (file_ < 0) madvise(data(buffer), stride_, MADV_POPULATE_WRITE);
   return buffer;
+}
+
+void TileStore::give_memory(Buffer buffer) {
+  // An old system refuses, and gives pages one by one.
+  if (file_ < 0) madvise(data(buffer), stride_, MADV_POPULATE_WRITE);
 }
 
 void TileStore::free(Buffer buffer) {

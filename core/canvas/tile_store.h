@@ -34,9 +34,13 @@ class TileStore {
   TileStore& operator=(const TileStore&) = delete;
 
   /// A buffer of zeros, which counts as used now. Its space is reserved here, so that no later
-  /// write can fail, and without a file its memory is given here. Errors: kLimit (no memory), kIo
+  /// write can fail. Errors: kLimit (no memory), kIo
   /// (the disk of the scratch folder is full or fails).
   Result<Buffer> allocate();
+  /// Gives the buffer all its memory now. Else the system gives a page when it is touched, and one
+  /// that is read before it is written twice: first a page of zeros that all share, then one of its
+  /// own, for which it interrupts all other threads. In a file nothing is done.
+  void give_memory(Buffer buffer);
   /// Gives back the buffer's memory, and in a scratch file its space on the disk. allocate() may
   /// give the same buffer again.
   void free(Buffer buffer);

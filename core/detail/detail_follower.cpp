@@ -68,6 +68,7 @@ void DetailFollower::moved(const CanvasState& guide, const StepInput& in,
   if (tiles.empty()) return;
   // Paint may come to tiles that had none.
   for (const int t : tiles) canvas_.ensure_planes(t, guide, moving_.box(t));
+  give_memory(tiles);
   // The fine cells move with the guide's edges, one axis after the other as on the guide.
   const DetailAdvection move{in.model.pigment_residue, setup_.amount};
   const Axis first = edges_.x_first ? Axis::kX : Axis::kY;
@@ -81,6 +82,12 @@ void DetailFollower::moved(const CanvasState& guide, const StepInput& in,
   zero_edges(edges_, runs);
 }
 
+void DetailFollower::give_memory(const std::vector<int>& tiles) {
+  threads_.for_ranges(0, static_cast<int>(tiles.size()), 1, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) canvas_.give_memory(tiles[static_cast<std::size_t>(i)]);
+  });
+}
+
 void DetailFollower::stepped(const CanvasState& guide, const StepInput& in) {
   stamp_.finish();
   // Stamps and motion are done: what they left is brought to what the guide holds.
@@ -90,7 +97,8 @@ void DetailFollower::stepped(const CanvasState& guide, const StepInput& in) {
   if (!changed_.empty()) {
     // Tiles that changed: they have the planes that the guide's paint needs, and they rest no
     // longer.
-    for (const int t : changed_.tiles()) {
+    const std::vector<int> tiles = changed_.tiles();
+    for (const int t : tiles) {
       canvas_.ensure_planes(t, guide, changed_.box(t));
       canvas_.mark_used(t);
       touched_[static_cast<std::size_t>(t)] = 1;
@@ -98,6 +106,7 @@ void DetailFollower::stepped(const CanvasState& guide, const StepInput& in) {
       if (locked < 0) idle_.push_back(t);
       locked = steps_;
     }
+    give_memory(tiles);
     lock_changed(guide);
     changed_.clear();
     reworked_.clear();

@@ -57,6 +57,13 @@ void DetailCanvas::mark_used(int tile) const {
   for (const TilePlane& plane : made->reflectance) plane.mark_used();
 }
 
+void DetailCanvas::give_memory(int tile) {
+  DetailTile* made = find(tile);
+  if (made == nullptr) return;
+  made->depth_m.give_memory();
+  for (TilePlane& plane : made->pigment) plane.give_memory();
+}
+
 void DetailCanvas::clear() {
   for (auto& tile : tile_) tile.reset();
 }

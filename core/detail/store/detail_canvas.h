@@ -49,6 +49,9 @@ class DetailCanvas {
   /// Gives `plane` memory, zero everywhere. Returns false if there is none left; then problem()
   /// says why, and the canvas shows less than was painted. May be called from any thread.
   bool make(TilePlane& plane);
+  /// Gives the planes of a tile all their memory. Call it before work that reads and writes them;
+  /// tiles may be given theirs by several threads at once.
+  void give_memory(int tile);
   /// The first failure to get memory or disk, if any.
   const Result<void>& problem() const { return problem_; }
   /// Notes that all planes of the tile are in use now.

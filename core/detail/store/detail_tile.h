@@ -23,6 +23,7 @@ class TilePlane {
     std::swap(store_, other.store_);
     std::swap(buffer_, other.buffer_);
     std::swap(data_, other.data_);
+    std::swap(given_, other.given_);
     return *this;
   }
   ~TilePlane() { free(); }
@@ -43,6 +44,13 @@ class TilePlane {
   void free() {
     if (data_ != nullptr) store_->free(buffer_);
     data_ = nullptr;
+    given_ = false;
+  }
+  /// TileStore::give_memory(), once.
+  void give_memory() {
+    if (data_ == nullptr || given_) return;
+    store_->give_memory(buffer_);
+    given_ = true;
   }
   /// Notes that the plane is in use now.
   void mark_used() const {
@@ -53,6 +61,7 @@ class TilePlane {
   TileStore* store_ = nullptr;
   TileStore::Buffer buffer_ = 0;
   float* data_ = nullptr;
+  bool given_ = false;  // its memory
 };
 
 /// Which fine cells have opened a layer for the stroke for which their guide cell opened one. The

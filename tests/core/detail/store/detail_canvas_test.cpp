@@ -1,6 +1,7 @@
 #include "core/detail/store/detail_canvas.h"
 
 #include <gtest/gtest.h>
+#include <sys/mman.h>
 
 #include "tests/core/detail/painted.h"
 
@@ -48,6 +49,27 @@ TEST_F(PruneTest, KeepsALayerThatOnlyTheDetailHasPaintIn) {
   canvas_.prune(0, guide_);
   ASSERT_TRUE(plane(1));
   EXPECT_EQ(plane(1).data()[5], 0.25f);
+}
+
+/// Whether the first page of a plane is in memory.
+bool is_in_memory(TilePlane& plane) {
+  unsigned char page = 0;
+  EXPECT_EQ(mincore(plane.data(), 1, &page), 0);
+  return (page & 1) != 0;
+}
+
+TEST_F(PruneTest, GivesMemoryToPlanesMadeSinceTheLastTime) {
+  canvas_.give_memory(1);  // a tile that does not exist
+  EXPECT_FALSE(is_in_memory(plane(0)));
+  canvas_.give_memory(0);
+  if (!is_in_memory(plane(0))) GTEST_SKIP() << "this system gives pages one by one";
+  plane(0).free();
+  canvas_.make(plane(0));
+  canvas_.make(canvas_.find(0)->depth_m);
+  EXPECT_FALSE(is_in_memory(plane(0)));
+  canvas_.give_memory(0);
+  EXPECT_TRUE(is_in_memory(plane(0)));
+  EXPECT_TRUE(is_in_memory(canvas_.find(0)->depth_m));
 }
 
 }  // namespace
