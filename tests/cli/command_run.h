@@ -71,6 +71,13 @@ class Workplace {
   Scratch scratch_;
 };
 
+/// Stands before a command that shall get a signal after some seconds. `timeout` in the foreground
+/// sends that signal alone. Otherwise it sends SIGCONT after it, which sets going again what the
+/// leak checker of a sanitized program has halted at its end, and that waits for ever.
+inline std::string signalled(const std::string& signal, const std::string& after_s) {
+  return "timeout --foreground --preserve-status -s " + signal + " " + after_s;
+}
+
 /// The text of member `key` of a JSON text, as it stands there; for strings without quotes.
 inline std::string json_member(const std::string& json, const std::string& key) {
   const std::size_t at = json.find("\"" + key + "\":");

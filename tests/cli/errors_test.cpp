@@ -127,8 +127,7 @@ TEST(CommandErrors, ASignalIsSeventyFiveAndLeavesNothing) {
   Workplace place;
   place.write("long.jsonl", brushing(1000));  // of which a second is never enough
   for (const char* signal : {"INT", "TERM"}) {
-    const Ran ran = place.run("render long.jsonl -o a.png --scale 4",
-                              "timeout -s " + std::string(signal) + " --preserve-status 1");
+    const Ran ran = place.run("render long.jsonl -o a.png --scale 4", signalled(signal, "1"));
     EXPECT_EQ(ran.code, 75) << ran.err;
     EXPECT_EQ(place.files(), 2u);
   }
@@ -139,7 +138,7 @@ TEST(CommandErrors, ASignalEndsTheSurveyBeforeAPosterToo) {
   place.write("long.jsonl", brushing(20000));  // surveyed in some 20 s
   for (const char* what : {"", " --dry-run"}) {
     const Ran ran = place.run(std::string("render long.jsonl -o a.png --scale 4").append(what),
-                              "timeout -s INT --preserve-status 1");
+                              signalled("INT", "1"));
     EXPECT_EQ(ran.code, 75) << ran.err;
     EXPECT_EQ(lines_in(ran.err), 1u) << ran.err;
     EXPECT_EQ(ran.out, "");

@@ -46,8 +46,8 @@ TEST(Guard, AHangupCleansUpAsTheOtherSignalsDo) {
   if (kSanitized) GTEST_SKIP() << "it may not have begun to listen when the signal comes";
   const Workplace place;
   for (const std::string signal : {"HUP", "TERM", "INT"}) {
-    const Ran ran = place.run("render a.jsonl -o a.png --width 16000 --quiet",
-                              "timeout --preserve-status -s " + signal + " 1.5");
+    const Ran ran =
+        place.run("render a.jsonl -o a.png --width 16000 --quiet", signalled(signal, "1.5"));
     EXPECT_EQ(ran.code, 75) << signal << ran.err;
     EXPECT_EQ(place.files(), 1U) << signal;
   }
@@ -55,7 +55,7 @@ TEST(Guard, AHangupCleansUpAsTheOtherSignalsDo) {
 
 TEST(Guard, AWaitForAPipeIsInterrupted) {
   const Workplace place;
-  const Ran ran = place.run("render - -o a.png --quiet", "sleep 6 | timeout --preserve-status 1.5");
+  const Ran ran = place.run("render - -o a.png --quiet", "sleep 6 | " + signalled("TERM", "1.5"));
   EXPECT_EQ(ran.code, 75) << ran.err;
 }
 
