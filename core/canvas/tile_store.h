@@ -34,8 +34,8 @@ class TileStore {
   TileStore& operator=(const TileStore&) = delete;
 
   /// A buffer of zeros, which counts as used now. Its space is reserved here, so that no later
-  /// write can fail. Errors: kLimit (no memory), kIo
-  /// (the disk of the scratch folder is full or fails).
+  /// write can fail. Errors: kLimit (no memory), kIo (the disk of the scratch folder is full or
+  /// fails).
   Result<Buffer> allocate();
   /// Gives the buffer all its memory now. Else the system gives a page when it is touched, and one
   /// that is read before it is written twice: first a page of zeros that all share, then one of its

@@ -68,7 +68,7 @@ void DetailFollower::moved(const CanvasState& guide, const StepInput& in,
   if (tiles.empty()) return;
   // Paint may come to tiles that had none.
   for (const int t : tiles) canvas_.ensure_planes(t, guide, moving_.box(t));
-  give_memory(tiles);
+  canvas_.give_memory(tiles, threads_);
   // The fine cells move with the guide's edges, one axis after the other as on the guide.
   const DetailAdvection move{in.model.pigment_residue, setup_.amount};
   const Axis first = edges_.x_first ? Axis::kX : Axis::kY;
@@ -80,12 +80,6 @@ void DetailFollower::moved(const CanvasState& guide, const StepInput& in,
   // The lock looks at these blocks at the end of the step.
   for (const BlockStrip& strip : moving_.strips()) rework(strip);
   zero_edges(edges_, runs);
-}
-
-void DetailFollower::give_memory(const std::vector<int>& tiles) {
-  threads_.for_ranges(0, static_cast<int>(tiles.size()), 1, [&](int begin, int end) {
-    for (int i = begin; i < end; ++i) canvas_.give_memory(tiles[static_cast<std::size_t>(i)]);
-  });
 }
 
 void DetailFollower::stepped(const CanvasState& guide, const StepInput& in) {
@@ -106,7 +100,7 @@ void DetailFollower::stepped(const CanvasState& guide, const StepInput& in) {
       if (locked < 0) idle_.push_back(t);
       locked = steps_;
     }
-    give_memory(tiles);
+    canvas_.give_memory(tiles, threads_);
     lock_changed(guide);
     changed_.clear();
     reworked_.clear();

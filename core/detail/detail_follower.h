@@ -77,7 +77,6 @@ class DetailFollower : public CanvasListener {
  private:
   void restore_notes(const DetailCheckpoint& checkpoint, const CanvasState& guide);
   void touch_all() { std::fill(touched_.begin(), touched_.end(), std::uint8_t{1}); }
-  void give_memory(const std::vector<int>& tiles);
   void settle_released_paint(const CanvasState& guide, const Model& model);
   void add_rounded(const StepInput& in);
   void rework(const BlockStrip& strip);

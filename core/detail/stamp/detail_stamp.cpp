@@ -105,9 +105,9 @@ void DetailStamp::finish() {
   if (used_ == 0) return;
   std::vector<TileWork> works = list_work();
   std::erase_if(works, [&](TileWork& work) { return !prepare(work); });
-  threads_.for_ranges(0, static_cast<int>(works.size()), 1, [&](int begin, int end) {
-    for (int i = begin; i < end; ++i) canvas_.give_memory(works[static_cast<std::size_t>(i)].tile);
-  });
+  std::vector<int> tiles;
+  for (const TileWork& work : works) tiles.push_back(work.tile);
+  canvas_.give_memory(tiles, threads_);
   const std::vector<RowRange> bands = list_row_ranges(works);
   threads_.for_ranges(0, static_cast<int>(bands.size()), 1, [&](int begin, int end) {
     StampRows band(canvas_, amount_);

@@ -57,11 +57,15 @@ void DetailCanvas::mark_used(int tile) const {
   for (const TilePlane& plane : made->reflectance) plane.mark_used();
 }
 
-void DetailCanvas::give_memory(int tile) {
-  DetailTile* made = find(tile);
-  if (made == nullptr) return;
-  made->depth_m.give_memory();
-  for (TilePlane& plane : made->pigment) plane.give_memory();
+void DetailCanvas::give_memory(std::span<const int> tiles, const Threads& threads) {
+  threads.for_ranges(0, static_cast<int>(tiles.size()), 1, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) {
+      DetailTile* made = find(tiles[static_cast<std::size_t>(i)]);
+      if (made == nullptr) continue;
+      made->depth_m.give_memory();
+      for (TilePlane& plane : made->pigment) plane.give_memory();
+    }
+  });
 }
 
 void DetailCanvas::clear() {

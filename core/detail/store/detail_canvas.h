@@ -4,8 +4,10 @@
 
 #include <memory>
 #include <mutex>
+#include <span>
 #include <vector>
 
+#include "core/base/threads.h"
 #include "core/detail/store/detail_layout.h"
 #include "core/detail/store/detail_substrate.h"
 #include "core/detail/store/detail_tile.h"
@@ -46,12 +48,12 @@ class DetailCanvas {
     ensure_planes(tile, guide, layout_.box(tile));
   }
   void ensure_planes(int tile, const CanvasState& guide, const CellBox& box);
-  /// Gives `plane` memory, zero everywhere. Returns false if there is none left; then problem()
+  /// Gives `plane` a buffer, zero everywhere. Returns false if there is none left; then problem()
   /// says why, and the canvas shows less than was painted. May be called from any thread.
   bool make(TilePlane& plane);
-  /// Gives the planes of a tile all their memory. Call it before work that reads and writes them;
-  /// tiles may be given theirs by several threads at once.
-  void give_memory(int tile);
+  /// Gives the wet planes of the tiles all their memory (TileStore::give_memory()). Call it before
+  /// work that reads and writes them.
+  void give_memory(std::span<const int> tiles, const Threads& threads);
   /// The first failure to get memory or disk, if any.
   const Result<void>& problem() const { return problem_; }
   /// Notes that all planes of the tile are in use now.

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <sys/mman.h>
 
+#include <array>
+
 #include "tests/core/detail/painted.h"
 
 namespace pentimento {
@@ -17,6 +19,7 @@ class PruneTest : public ::testing::Test {
   TilePlane& plane(int pigment) {
     return canvas_.find(0)->pigment[static_cast<std::size_t>(pigment)];
   }
+  void give_memory() { canvas_.give_memory(std::array{0}, Threads(1)); }
   const DetailLayout layout_{{8, 8, 1, 1}, 4};
   CanvasState guide_ = make_canvas_state({8, 8, 1, 1}, 2, 1, 3, 0.9f);
   test::PlainSubstrate substrate_;
@@ -60,17 +63,17 @@ bool is_in_memory(TilePlane& plane) {
 
 TEST_F(PruneTest, GivesMemoryToPlanesMadeSinceTheLastTime) {
   EXPECT_FALSE(is_in_memory(plane(0)));
-  canvas_.give_memory(0);
+  give_memory();
   if (!is_in_memory(plane(0))) GTEST_SKIP() << "this system gives pages one by one";
   plane(0).free();
   canvas_.make(plane(0));
   canvas_.make(canvas_.find(0)->depth_m);
   EXPECT_FALSE(is_in_memory(plane(0)));
-  canvas_.give_memory(0);
+  give_memory();
   EXPECT_TRUE(is_in_memory(plane(0)));
   EXPECT_TRUE(is_in_memory(canvas_.find(0)->depth_m));
   canvas_.clear();
-  canvas_.give_memory(0);  // a tile that does not exist: nothing is done
+  give_memory();  // a tile that does not exist: nothing is done
   EXPECT_EQ(canvas_.find(0), nullptr);
 }
 
