@@ -1,6 +1,7 @@
 #include "core/brush/reservoir.h"
 
 #include <algorithm>
+#include <cstring>
 
 #include "core/base/kernel.h"
 
@@ -9,12 +10,11 @@ namespace pentimento {
 namespace {
 constexpr int kPadding = 4;       // floats: a texel is whole vectors
 constexpr float kTrace = 1e-20f;  // less is nothing: subnormal numbers are slow
-constexpr int kCells = 64;        // of a row, sampled together
 
 /// The first of the four texels around each cell, and the weights of the four.
 struct CellTexels {
-  std::array<int, kCells> texel;
-  std::array<std::array<float, kCells>, 4> weight;
+  std::array<int, kSampledCells> texel;
+  std::array<std::array<float, kSampledCells>, 4> weight;
 };
 
 /// Finds the same as sample() does for a cell.
@@ -73,6 +73,46 @@ inline void blend_cells(const float* data, int given_stride, const CellTexels& a
                  {at.weight[0][i], at.weight[1][i], at.weight[2][i], at.weight[3][i]}, stride, out);
   }
 }
+
+using Four = float __attribute__((vector_size(16)));
+
+inline Four four_at(const float* at) {
+  Four values;
+  std::memcpy(&values, at, sizeof(values));
+  return values;
+}
+
+/// Four cells of four components each become four components of four cells each.
+inline void write_transposed(const Four (&cell)[4], float* __restrict out) {
+  const Four ab_low = __builtin_shufflevector(cell[0], cell[1], 0, 4, 1, 5);
+  const Four ab_high = __builtin_shufflevector(cell[0], cell[1], 2, 6, 3, 7);
+  const Four cd_low = __builtin_shufflevector(cell[2], cell[3], 0, 4, 1, 5);
+  const Four cd_high = __builtin_shufflevector(cell[2], cell[3], 2, 6, 3, 7);
+  const Four component[4] = {__builtin_shufflevector(ab_low, cd_low, 0, 1, 4, 5),
+                             __builtin_shufflevector(ab_low, cd_low, 2, 3, 6, 7),
+                             __builtin_shufflevector(ab_high, cd_high, 0, 1, 4, 5),
+                             __builtin_shufflevector(ab_high, cd_high, 2, 3, 6, 7)};
+  for (int k = 0; k < 4; ++k) std::memcpy(out + k * kSampledCells, &component[k], sizeof(Four));
+}
+
+/// blend_texels() for cells four by four, with components apart.
+PENTIMENTO_KERNEL
+void blend_planes(const float* data, int stride, const CellTexels& at, int n,
+                  float* __restrict out) {
+  for (int first = 0; first < n; first += 4) {
+    for (int k = 0; k < stride; k += 4) {
+      Four cell[4];
+      for (int j = 0; j < 4; ++j) {
+        const std::size_t i = static_cast<std::size_t>(first + j);
+        const float* a = data + static_cast<std::ptrdiff_t>(at.texel[i]) * stride + k;
+        const float* c = a + static_cast<std::ptrdiff_t>(kReservoirColumns) * stride;
+        cell[j] = at.weight[0][i] * four_at(a) + at.weight[1][i] * four_at(a + stride) +
+                  at.weight[2][i] * four_at(c) + at.weight[3][i] * four_at(c + stride);
+      }
+      write_transposed(cell, out + static_cast<std::ptrdiff_t>(k) * kSampledCells + first);
+    }
+  }
+}
 }  // namespace
 
 Reservoir::Reservoir(int channels)
@@ -122,8 +162,8 @@ void Reservoir::sample(float u, float v, float* out) const {
 
 void Reservoir::sample_row(const TipRow& tip, int first, int n, float* out) const {
   CellTexels at;
-  for (int done = 0; done < n; done += kCells) {
-    const int cells = std::min(kCells, n - done);
+  for (int done = 0; done < n; done += kSampledCells) {
+    const int cells = std::min(kSampledCells, n - done);
     find_texels(tip, first + done, cells, at);
     float* to = out + static_cast<std::ptrdiff_t>(done) * stride_;
     if (stride_ == 4) {
@@ -132,6 +172,13 @@ void Reservoir::sample_row(const TipRow& tip, int first, int n, float* out) cons
       blend_cells<0>(data_.data(), stride_, at, cells, to);
     }
   }
+}
+
+void Reservoir::sample_planes(const TipRow& tip, int first, int n, float* out) const {
+  PENTIMENTO_CHECK(n % 4 == 0 && n <= kSampledCells);
+  CellTexels at;
+  find_texels(tip, first, n, at);
+  blend_planes(data_.data(), stride_, at, n, out);
 }
 
 /// Measures the tip's texels, and brings them nearer to the load if it `gives`. `kStride`: floats

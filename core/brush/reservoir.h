@@ -23,6 +23,9 @@ inline void blend_texels(const float* a, const float* b, const float* c, const f
     for (int i = k; i < k + 4; ++i) out[i] = w[0] * a[i] + w[1] * b[i] + w[2] * c[i] + w[3] * d[i];
 }
 
+/// Cells of a row that are sampled together.
+inline constexpr int kSampledCells = 64;
+
 class Reservoir {
  public:
   explicit Reservoir(int channels);
@@ -49,6 +52,9 @@ class Reservoir {
   /// The same bits as sample(), for the cells [first, first + n) of a row. `out` has n times
   /// stride() floats.
   void sample_row(const TipRow& tip, int first, int n, float* out) const;
+  /// The same bits again, each component by itself: component k of cell i becomes
+  /// out[k * kSampledCells + i]. `n` is a multiple of four, at most kSampledCells.
+  void sample_planes(const TipRow& tip, int first, int n, float* out) const;
 
   /// R22: each of the tip's texels goes the share `refill_frac`, 0..1, of the way to the load's
   /// paint. A texel with more volume than the load keeps its volume: the palette takes as much as

@@ -57,7 +57,7 @@ void interleave(const Components& component, int cells, int stride, float* __res
 
 /// Where the picked up paint goes: `stride` floats per cell, and the sums of the row.
 struct Record {
-  float* picked_up = nullptr;  // nullptr: nobody asks
+  float* picked_up = nullptr;
   int stride = 0;
   std::span<double> sums;
 
@@ -132,7 +132,6 @@ void pick_up_packet(const PickUp& pick_up, const LayerRow& row, const Packet& pa
   PacketParts parts;
   parts.find(pick_up, row, packet);
   Components gone;
-  double nobodys = 0;
   for (int first = 0; first <= row.channels; first += kTogether) {
     for (int k = 0; k < kTogether; ++k) {
       PacketValues& here = gone[static_cast<std::size_t>(k)];
@@ -140,11 +139,9 @@ void pick_up_packet(const PickUp& pick_up, const LayerRow& row, const Packet& pa
       if (first + k > row.channels)
         here.fill(0);
       else
-        take_component(parts, row, packet, depth_m, first + k, here,
-                       record.picked_up == nullptr ? nobodys : record.sums[component]);
+        take_component(parts, row, packet, depth_m, first + k, here, record.sums[component]);
     }
-    if (record.picked_up != nullptr)
-      interleave(gone, packet.cells, record.stride, record.at(packet.first) + first);
+    interleave(gone, packet.cells, record.stride, record.at(packet.first) + first);
   }
 }
 
@@ -164,29 +161,17 @@ void pick_up_packets(const PickUp& pick_up, const LayerRow& row, std::span<const
     }
     if (any)
       pick_up_packet(pick_up, row, packet, depth_m + first, record);
-    else if (record.picked_up != nullptr)
+    else
       std::fill_n(record.at(first), packet.cells * record.stride, 0.0f);
   }
 }
 }  // namespace
-
-float penetration_weight(float penetration_frac, int layer, int occupied) {
-  if (penetration_frac < 0) return 1;
-  const int from_top = occupied - 1 - layer;
-  return std::clamp(penetration_frac * static_cast<float>(occupied) - static_cast<float>(from_top),
-                    0.0f, 1.0f);
-}
 
 void pick_up_row(const PickUp& pick_up, const LayerRow& row, std::span<const float> weight,
                  float* depth_m, float* picked_up, int stride, std::span<double> sums) {
   PENTIMENTO_CHECK(stride % kTogether == 0 && stride > row.channels);
   std::fill(sums.begin(), sums.end(), 0.0);
   pick_up_packets(pick_up, row, weight, depth_m, {picked_up, stride, sums});
-}
-
-void pick_up_row(const PickUp& pick_up, const LayerRow& row, std::span<const float> weight,
-                 float* depth_m) {
-  pick_up_packets(pick_up, row, weight, depth_m, {});
 }
 
 }  // namespace pentimento

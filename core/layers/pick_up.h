@@ -1,6 +1,7 @@
 #pragma once
 // The brush picks up wet paint from the canvas (R22, R23).
 
+#include <algorithm>
 #include <span>
 
 #include "core/layers/layer_row.h"
@@ -17,7 +18,12 @@ struct PickUp {
 
 /// R23: how far the bristles reach into layer `layer` of `occupied` layers, 0..1. They reach the
 /// topmost first.
-float penetration_weight(float penetration_frac, int layer, int occupied);
+inline float penetration_weight(float penetration_frac, int layer, int occupied) {
+  const int from_top = occupied - 1 - layer;
+  const float reach = std::clamp(
+      penetration_frac * static_cast<float>(occupied) - static_cast<float>(from_top), 0.0f, 1.0f);
+  return penetration_frac < 0 ? 1 : reach;
+}
 
 /// Picks up paint from the cells of a row.
 ///   P_k -= f w_k P_k,  d -= f mean(w_k) d,  f = min(1, share weight)
@@ -30,8 +36,5 @@ float penetration_weight(float penetration_frac, int layer, int occupied);
 /// four, of which those beyond the channels become 0.
 void pick_up_row(const PickUp& pick_up, const LayerRow& row, std::span<const float> weight,
                  float* depth_m, float* picked_up, int stride, std::span<double> sums);
-/// The same for callers that do not need what was picked up.
-void pick_up_row(const PickUp& pick_up, const LayerRow& row, std::span<const float> weight,
-                 float* depth_m);
 
 }  // namespace pentimento

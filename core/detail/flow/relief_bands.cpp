@@ -5,39 +5,13 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/kernel.h"
+
 namespace pentimento {
 namespace {
 constexpr float kTwoPi = 6.2831853f;
 constexpr float kWavelength = 1.5f;  // of a band, in widths of its wider triangle
 constexpr float kThinnestFilm_m = 1e-6f;
-
-/// Mean over cells i - before .. i - before + width - 1 of a row.
-void mean_along(const float* in, int n, int width, int before, float* out) {
-  const auto at = [&](int i) { return static_cast<double>(in[std::clamp(i, 0, n - 1)]); };
-  double sum = 0;
-  for (int i = -before; i < width - before; ++i) sum += at(i);
-  for (int i = 0; i < n; ++i) {
-    out[i] = static_cast<float>(sum / width);
-    sum += at(i - before + width) - at(i - before);
-  }
-}
-
-/// The same down the columns.
-void mean_down(const Field<float>& in, int width, int before, Field<float>& out) {
-  const auto row = [&](int y) { return in.row(std::clamp(y, 0, in.height() - 1)); };
-  std::vector<double> sum(static_cast<std::size_t>(in.width()));
-  const auto add = [&](int y, double sign) {
-    const float* values = row(y);
-    for (std::size_t x = 0; x < sum.size(); ++x) sum[x] += sign * static_cast<double>(values[x]);
-  };
-  for (int y = -before; y < width - before; ++y) add(y, 1);
-  for (int y = 0; y < in.height(); ++y) {
-    float* to = out.row(y);
-    for (std::size_t x = 0; x < sum.size(); ++x) to[x] = static_cast<float>(sum[x] / width);
-    add(y - before + width, 1);
-    add(y - before, -1);
-  }
-}
 }  // namespace
 
 float standing_amplitude_m(const ReliefStrength& strength, float wavelength_m, float film_m) {
@@ -46,14 +20,98 @@ float standing_amplitude_m(const ReliefStrength& strength, float wavelength_m, f
          std::max(1.0f, length / std::max(film_m, kThinnestFilm_m));
 }
 
+namespace {
+
+/// Divides sums of `width` values; by a power of two as a product, which has the same bits.
+struct WidthDivider {
+  explicit WidthDivider(int of) : width(of), share(1 / width), multiplies((of & (of - 1)) == 0) {}
+  float mean(double sum) const {
+    return static_cast<float>(multiplies ? sum * share : sum / width);
+  }
+  double width, share;
+  bool multiplies;
+};
+
+/// Mean over cells i - before .. i - before + width - 1 of the rows y .. y + kRows - 1. They are
+/// done side by side, for each sum waits for the one before it.
+template <int kRows>
+void mean_along(const Field<float>& in, int y, int width, int before, Field<float>& out) {
+  const int n = in.width();
+  const WidthDivider divider(width);
+  const float* from[kRows];
+  float* to[kRows];
+  double sum[kRows] = {};
+  for (int r = 0; r < kRows; ++r) {
+    from[r] = in.row(y + r);
+    to[r] = out.row(y + r);
+    for (int i = -before; i < width - before; ++i)
+      sum[r] += static_cast<double>(from[r][std::clamp(i, 0, n - 1)]);
+  }
+  for (int i = 0; i < n; ++i) {
+    const int enters = std::clamp(i - before + width, 0, n - 1);
+    const int leaves = std::clamp(i - before, 0, n - 1);
+    for (int r = 0; r < kRows; ++r) {
+      to[r][i] = divider.mean(sum[r]);
+      sum[r] += static_cast<double>(from[r][enters]) - static_cast<double>(from[r][leaves]);
+    }
+  }
+}
+
+void mean_along(const Field<float>& in, int width, int before, Field<float>& out) {
+  constexpr int kTogether = 8;
+  int y = 0;
+  for (; y + kTogether <= in.height(); y += kTogether)
+    mean_along<kTogether>(in, y, width, before, out);
+  for (; y < in.height(); ++y) mean_along<1>(in, y, width, before, out);
+}
+
+PENTIMENTO_KERNEL
+void add_row_to_sums(const float* values, int n, double* __restrict sum) {
+  for (int x = 0; x < n; ++x) sum[x] += static_cast<double>(values[x]);
+}
+
+/// Writes the means of sums, and goes on to the next row's.
+PENTIMENTO_KERNEL
+void write_means(const WidthDivider& given, const float* enters, const float* leaves, int n,
+                 double* __restrict sum, float* __restrict out) {
+  const WidthDivider divider = given;
+  for (int x = 0; x < n; ++x) {
+    out[x] = divider.mean(sum[x]);
+    const double more = sum[x] + static_cast<double>(enters[x]);
+    sum[x] = more - static_cast<double>(leaves[x]);
+  }
+}
+
+/// The same down the columns.
+void mean_down(const Field<float>& in, int width, int before, Field<float>& out) {
+  const auto row = [&](int y) { return in.row(std::clamp(y, 0, in.height() - 1)); };
+  const WidthDivider divider(width);
+  std::vector<double> sum(static_cast<std::size_t>(in.width()));
+  for (int y = -before; y < width - before; ++y) add_row_to_sums(row(y), in.width(), sum.data());
+  for (int y = 0; y < in.height(); ++y)
+    write_means(divider, row(y - before + width), row(y - before), in.width(), sum.data(),
+                out.row(y));
+}
+
+/// out += l(finer - wider), l of level_bands().
+PENTIMENTO_KERNEL
+void add_levelled_row(const ReliefStrength& given, float wavelength_m, const float* finer,
+                      const float* wider, const float* film_m, int n, float* __restrict out) {
+  const ReliefStrength strength = given;
+  for (int x = 0; x < n; ++x) {
+    const float a = finer[x] - wider[x];
+    const float share = a / standing_amplitude_m(strength, wavelength_m, film_m[x]);
+    out[x] += a / std::sqrt(1 + share * share);
+  }
+}
+}  // namespace
+
 void triangle_mean(const Field<float>& in, int width, Field<float>& out) {
   // The second mean leans the other way, so that an even width is symmetric too.
   const int first = width / 2, second = width - 1 - first;
   Field<float> between(in.width(), in.height());
-  for (int y = 0; y < in.height(); ++y) {
-    mean_along(in.row(y), in.width(), width, first, between.row(y));
-    mean_along(between.row(y), in.width(), width, second, out.row(y));
-  }
+  mean_along(in, width, first, between);
+  mean_along(between, width, second, out);
   mean_down(out, width, first, between);
   mean_down(between, width, second, out);
 }
@@ -68,15 +126,9 @@ void level_bands(const ReliefStrength& strength, int factor, const Field<float>&
     const float wavelength_m = kWavelength * static_cast<float>(width) * strength.cell_m;
     if (width / 2 > 1) triangle_mean(relief_m, width / 2, narrow);
     const Field<float>& finer = width / 2 > 1 ? narrow : relief_m;
-    for (int y = 0; y < rows; ++y) {
-      const float *in = finer.row(y), *below = wide.row(y), *film = film_m.row(y);
-      float* out = levelled.row(y);
-      for (int x = 0; x < columns; ++x) {
-        const float a = in[x] - below[x];
-        const float share = a / standing_amplitude_m(strength, wavelength_m, film[x]);
-        out[x] += a / std::sqrt(1 + share * share);
-      }
-    }
+    for (int y = 0; y < rows; ++y)
+      add_levelled_row(strength, wavelength_m, finer.row(y), wide.row(y), film_m.row(y), columns,
+                       levelled.row(y));
     swap(wide, narrow);
   }
   swap(relief_m, levelled);

@@ -8,7 +8,7 @@
 namespace pentimento {
 
 namespace {
-constexpr std::size_t kMostWaiting = 32;  // of some 0.3 MB each
+constexpr std::size_t kMostWaiting = 16;  // their tips stay in a core's own cache
 constexpr int kBandRows = 32;             // of fine cells: with a dozen planes, a core's own cache
 }  // namespace
 
@@ -26,10 +26,11 @@ void DetailStamp::before_deposit(const StampPlan& plan, const CanvasState& guide
   stamps_[used_ - 1]->before_deposit(plan, guide, canvas_.layout(), amount_);
 }
 
-void DetailStamp::add_touched(ChangedBlocks& blocks) const {
-  const QueuedStamp& stamp = *stamps_[used_ - 1];
+void DetailStamp::add_touched(ChangedBlocks& blocks) {
+  QueuedStamp& stamp = *stamps_[used_ - 1];
+  stamp.find_touched(canvas_.layout());
   for (int y = stamp.blocks().y0; y < stamp.blocks().y1; ++y) {
-    const QueuedStamp::BlockSpan touched = stamp.touched_in(y, canvas_.layout());
+    const QueuedStamp::BlockSpan touched = stamp.touched_blocks(y, canvas_.layout());
     blocks.add(y, touched.x0, touched.x1);
   }
 }

@@ -33,8 +33,9 @@ class DetailStamp {
   void forget() { used_ = 0; }
   /// Cells of the guide under the last stamp.
   const CellBox& box() const { return stamps_[used_ - 1]->blocks(); }
-  /// Adds the blocks that the last stamp's tip may reach. Its tip must have been drawn.
-  void add_touched(ChangedBlocks& blocks) const;
+  /// Finds which cells the last stamp's tip touches, and adds their blocks. Its tip must have been
+  /// drawn.
+  void add_touched(ChangedBlocks& blocks);
 
  private:
   /// The stamps that touch a tile.

@@ -101,14 +101,19 @@ void QueuedStamp::after_deposit(const StampPlan& plan, const CanvasState& guide)
   });
 }
 
-QueuedStamp::BlockSpan QueuedStamp::touched_in(int y, const DetailLayout& layout) const {
-  const int k = layout.factor();
+void QueuedStamp::find_touched(const DetailLayout& layout) {
   const CanvasGeometry fine = layout.fine();
+  touched_.clear();
+  for (int y = cells_.y; y < cells_.y + cells_.height; ++y)
+    touched_.push_back(tip_.touched_span(tip_row(plan_.pose, cells_, fine, y), 0, cells_.width));
+}
+
+QueuedStamp::BlockSpan QueuedStamp::touched_blocks(int y, const DetailLayout& layout) const {
+  const int k = layout.factor();
   TipFootprint::CellSpan touched{cells_.width, 0};
   const int y0 = std::max(y * k, cells_.y), y1 = std::min((y + 1) * k, cells_.y + cells_.height);
   for (int row = y0; row < y1; ++row) {
-    const TipFootprint::CellSpan here =
-        tip_.touched_span(tip_row(plan_.pose, cells_, fine, row), 0, cells_.width);
+    const TipFootprint::CellSpan here = touched_cells(row);
     if (here.end <= here.begin) continue;
     touched.begin = std::min(touched.begin, here.begin);
     touched.end = std::max(touched.end, here.end);

@@ -33,6 +33,8 @@ class QueuedStamp {
                       std::span<const float> amount);
   /// Copies the reservoir, and notes in which cells the guide deposited.
   void after_deposit(const StampPlan& plan, const CanvasState& guide);
+  /// Finds which cells the tip touches. Its tip must have been drawn, and before_deposit() called.
+  void find_touched(const DetailLayout& layout);
 
   const StampPlan& plan() const { return plan_; }
   const TipFootprint& tip() const { return tip_; }
@@ -49,12 +51,18 @@ class QueuedStamp {
     const auto width = static_cast<std::size_t>(blocks_.width());
     return {layers_.data() + static_cast<std::size_t>(y - blocks_.y0) * width, width};
   }
+  // After find_touched().
+  /// The cells of row y of the fine canvas, counted from cells().x, outside of which the tip is
+  /// nothing. `y` is a row of cells().
+  TipFootprint::CellSpan touched_cells(int y) const {
+    return touched_[static_cast<std::size_t>(y - cells_.y)];
+  }
   /// Blocks [x0, x1) of a row of the guide; none where x1 is no more than x0.
   struct BlockSpan {
     int x0 = 0, x1 = 0;
   };
   /// The blocks of row y outside of which the tip is nothing.
-  BlockSpan touched_in(int y, const DetailLayout& layout) const;
+  BlockSpan touched_blocks(int y, const DetailLayout& layout) const;
   /// Whether the stamp opens layers in a part of the guide.
   bool opens_in(const CellBox& part) const;
 
@@ -67,7 +75,8 @@ class QueuedStamp {
   TipFootprint tip_;
   FootprintBox cells_;
   CellBox blocks_;
-  std::vector<BlockLayers> layers_;  // per block, row by row
+  std::vector<BlockLayers> layers_;              // per block, row by row
+  std::vector<TipFootprint::CellSpan> touched_;  // per row of cells_
   bool deposits_ = false;
 };
 

@@ -1,6 +1,7 @@
 #include "core/detail/stamp/stamp_rows.h"
 
 #include <algorithm>
+#include <cstring>
 
 #include "core/base/kernel.h"
 #include "core/detail/store/open_cells.h"
@@ -13,9 +14,10 @@ struct MeasuredRow {
   float *hold, *pick_up_weight, *share;
 };
 
+/// `from`: the index, along `tip`, of the first cell.
 PENTIMENTO_KERNEL
-void measure_row(const StampPlan& given, const BristleTable& grip, const TipRow& tip, int n,
-                 const float* value, const float* base, const float* depth,
+void measure_row(const StampPlan& given, const BristleTable& grip, const TipRow& tip, int from,
+                 int n, const float* value, const float* base, const float* depth,
                  const MeasuredRow& out) {
   const StampPlan plan = given;  // nobody else's: what is stored below does not change it
   const float v0 = tip.v0, dv = tip.dv;
@@ -23,7 +25,7 @@ void measure_row(const StampPlan& given, const BristleTable& grip, const TipRow&
   float* __restrict share = out.share;
   // Two loops: the second is one of vectors, which the table keeps the first from being.
   for (int i = 0; i < n; ++i)
-    hold[i] = stamp_hold(plan, grip, value[i], v0 + dv * static_cast<float>(i));
+    hold[i] = stamp_hold(plan, grip, value[i], v0 + dv * static_cast<float>(from + i));
   PENTIMENTO_INDEPENDENT
   for (int i = 0; i < n; ++i)
     share[i] = plan.share_scale * stamp_levelled(plan, value[i], 0.0f, base[i], depth[i]);
@@ -31,8 +33,8 @@ void measure_row(const StampPlan& given, const BristleTable& grip, const TipRow&
 
 /// For a blade, after measure_row(): corrects the values under its ends.
 PENTIMENTO_KERNEL
-void measure_blade(const StampPlan& given, const BladeEnds& ends, const TipRow& tip, int n,
-                   const float* value, const float* base, const float* depth,
+void measure_blade(const StampPlan& given, const BladeEnds& ends, const TipRow& tip, int from,
+                   int n, const float* value, const float* base, const float* depth,
                    const MeasuredRow& out) {
   const StampPlan plan = given;
   const float v0 = tip.v0, dv = tip.dv;
@@ -41,7 +43,7 @@ void measure_blade(const StampPlan& given, const BladeEnds& ends, const TipRow& 
   float* __restrict share = out.share;
   PENTIMENTO_INDEPENDENT
   for (int i = 0; i < n; ++i) {
-    const float v = v0 + dv * static_cast<float>(i);
+    const float v = v0 + dv * static_cast<float>(from + i);
     share[i] =
         plan.share_scale * stamp_levelled(plan, value[i], ends.open.at(v), base[i], depth[i]);
     pick_up_weight[i] =
@@ -76,18 +78,24 @@ bool find_parts(const StampPlan& given, int n, const BrushedRow& brushed, float*
   return any != 0;
 }
 
-/// plane += part * paint of one component, `stride` floats from cell to cell.
+/// PaintLoad::volume_of(), the same sum, of paint whose components lie apart.
 PENTIMENTO_KERNEL
-void add_paint(const float* part, const float* paint, int stride, int n, float* __restrict plane) {
-  for (int i = 0; i < n; ++i) plane[i] += part[i] * paint[static_cast<std::ptrdiff_t>(i) * stride];
+void find_volumes(const float* weight, int components, const float* paint, int n,
+                  float* __restrict volume) {
+  PacketValues lane[4];
+  for (PacketValues& values : lane) std::fill_n(values.begin(), n, 0.0f);
+  for (int k = 0; k < components; ++k, paint += kPacketCells) {
+    float* sum = lane[k % 4].data();
+    for (int i = 0; i < n; ++i) sum[i] += weight[k] * paint[i];
+  }
+  for (std::size_t i = 0; i < static_cast<std::size_t>(n); ++i)
+    volume[i] = (lane[0][i] + lane[1][i]) + (lane[2][i] + lane[3][i]);
 }
 }  // namespace
 
 StampRows::StampRows(DetailCanvas& canvas, std::span<const float> amount)
     : canvas_(canvas), fine_(canvas.layout().fine()), all_amounts_(amount.begin(), amount.end()) {
-  for (std::vector<float>* v :
-       {&value_, &share_, &hold_, &pick_up_weight_, &part_, &volume_, &height_})
-    v->resize(at(canvas.layout().side()));
+  row_value_.resize(at(canvas.layout().side() + kVectorCells));
 }
 
 void StampRows::begin(int tile, const std::vector<int>& channels, int y0, int y1) {
@@ -104,6 +112,11 @@ void StampRows::begin(int tile, const std::vector<int>& channels, int y0, int y1
   for (int layer = 0; layer < canvas_.layers(); ++layer)
     for (const int c : channels)
       planes_.push_back(tile_->pigment[at(layer * canvas_.channels() + c)].data());
+  // Of a plane in which nothing lies, no stamp has to look at the cells.
+  const int side = canvas_.layout().side();
+  std::vector<float*> rows = planes_;
+  for (float*& plane : rows) plane += static_cast<std::ptrdiff_t>(y0_ % side) * side;
+  layers_.begin_rows(rows, (y1_ - y0_) * side);
 }
 
 /// Row y of the canvas from the tile's cell `begin` on.
@@ -137,130 +150,128 @@ void StampRows::open_blocks(const QueuedStamp& stamp, int block_y) {
 }
 
 void StampRows::do_row(const QueuedStamp& stamp, int y) {
-  const CellRange touched = measure(stamp, y);
-  if (touched.empty()) return;
-  const int side = canvas_.layout().side();
-  const LayerRow cells = row(y, touched.begin);
-  const std::vector<float>& weight = stamp.plan().scrape_frac > 0 ? pick_up_weight_ : hold_;
-  pick_up_row(stamp.plan().pick_up, cells, {weight.data(), touched.count()},
-              tile_->depth_m.data() + static_cast<std::ptrdiff_t>(y % side) * side + touched.begin);
-  if (!stamp.deposits()) return;
-  deposit(stamp, y, touched);
-  mix_layers_row(stamp.plan().mix, cells, {hold_.data(), touched.count()});
+  const CellRange touched = find_touched(stamp, y);
+  for (int x = touched.begin; x < touched.end; x += kPacketCells)
+    do_packet(stamp, y,
+              packet_at(x, std::min(kPacketCells, touched.end - x), canvas_.layout().side()),
+              touched.begin);
 }
 
-/// Finds the tip's value, its hold and the levelled share of each touched cell, before any paint is
-/// picked up.
-StampRows::CellRange StampRows::measure(const QueuedStamp& stamp, int y) {
+/// Finds the cells of a row where the tip's value is not 0, and their values.
+StampRows::CellRange StampRows::find_touched(const QueuedStamp& stamp, int y) {
   const FootprintBox& box = stamp.cells();
-  const int side = canvas_.layout().side();
-  CellRange touched{std::max(box.x, x0_) - x0_, std::min(box.x + box.width, x1_) - x0_};
-  if (touched.empty()) return touched;
-  const TipRow tip = tip_row(stamp.plan().pose, box, fine_, y);
   const int from_box = x0_ - box.x;
-  const TipFootprint::CellSpan touched_span =
-      stamp.tip().touched_span(tip, from_box + touched.begin, from_box + touched.end);
-  touched = {touched_span.begin - from_box, touched_span.end - from_box};
-  if (touched.empty()) return touched;
-  stamp.tip().row(tip, from_box + touched.begin, {value_.data(), touched.count()});
-  const float* value = value_.data();
+  const TipFootprint::CellSpan span = stamp.touched_cells(y);
+  CellRange touched{std::max(span.begin - from_box, 0), std::min(span.end - from_box, x1_ - x0_)};
+  if (touched.empty()) return {};
+  const TipRow tip = tip_row(stamp.plan().pose, box, fine_, y);
+  // Whole vectors: what they hold beyond the span is not looked at.
+  const std::size_t vectors = (touched.count() + kVectorCells - 1) / kVectorCells;
+  stamp.tip().row(tip, from_box + touched.begin, {row_value_.data(), vectors * kVectorCells});
+  const float* value = row_value_.data();
   std::size_t skipped = 0, count = touched.count();
   while (skipped < count && !(value[skipped] > 0)) ++skipped;
   while (count > skipped && !(value[count - 1] > 0)) --count;
-  touched.end = touched.begin + static_cast<int>(count);
-  touched.begin += static_cast<int>(skipped);
-  if (touched.empty()) return touched;
-  std::copy(value + skipped, value + count, value_.begin());
-  const std::ptrdiff_t cell = static_cast<std::ptrdiff_t>(y % side) * side + touched.begin;
-  const TipRow part = {tip.u(from_box + touched.begin), tip.v(from_box + touched.begin), tip.du,
-                       tip.dv};
-  const MeasuredRow out = {hold_.data(), pick_up_weight_.data(), share_.data()};
-  const float *base = tile_->base_m.data() + cell, *depth = tile_->depth_m.data() + cell;
-  const int n = static_cast<int>(touched.count());
-  measure_row(stamp.plan(), stamp.grip(), part, n, value_.data(), base, depth, out);
-  if (stamp.plan().scrape_frac > 0)
-    measure_blade(stamp.plan(), stamp.ends(), part, n, value_.data(), base, depth, out);
-  return touched;
+  std::copy(value + skipped, value + count, row_value_.begin());
+  return {touched.begin + static_cast<int>(skipped), touched.begin + static_cast<int>(count)};
 }
 
-/// Finds the paint that each cell gets, as `part_` of `paint_`, and its depth. False if no cell
-/// gets any.
-bool StampRows::sample(const QueuedStamp& stamp, int y, const CellRange& cells, float* depth) {
+/// Does the stamp in a packet of a row whose first touched cell is `touched`.
+void StampRows::do_packet(const QueuedStamp& stamp, int y, const StampPacket& packet, int touched) {
+  const LayerRow cells = row(y, packet.first);
+  float* depth_m = tile_->depth_m.data() + cells.offset;
+  measure(stamp, y, packet, touched);
+  const PacketValues& weight = stamp.plan().scrape_frac > 0 ? pick_up_weight_ : hold_;
+  layers_.begin(cells, packet);
+  layers_.pick_up(stamp.plan().pick_up, weight.data(), depth_m);
+  if (!stamp.deposits()) return;
+  lay(stamp, y, packet, depth_m);
+  layers_.mix(stamp.plan().mix, hold_.data());
+}
+
+/// Finds the tip's value, its hold and the levelled share of each cell, before any paint is picked
+/// up.
+void StampRows::measure(const QueuedStamp& stamp, int y, const StampPacket& packet, int touched) {
+  const float* value = row_value_.data() + (packet.first + packet.begin - touched);
+  std::fill_n(value_.begin(), packet.size(), 0.0f);
+  std::copy_n(value, packet.own(), value_.begin() + packet.begin);
+  const FootprintBox& box = stamp.cells();
+  const TipRow tip = tip_row(stamp.plan().pose, box, fine_, y);
+  const int first = x0_ - box.x + touched;
+  const TipRow part = {tip.u(first), tip.v(first), tip.du, tip.dv};
+  const MeasuredRow out = {hold_.data(), pick_up_weight_.data(), share_.data()};
+  const std::ptrdiff_t cell = row(y, packet.first).offset;
+  const float *base = tile_->base_m.data() + cell, *depth = tile_->depth_m.data() + cell;
+  const int from = packet.first - touched;
+  measure_row(stamp.plan(), stamp.grip(), part, from, packet.cells, value_.data(), base, depth,
+              out);
+  if (stamp.plan().scrape_frac > 0)
+    measure_blade(stamp.plan(), stamp.ends(), part, from, packet.cells, value_.data(), base, depth,
+                  out);
+}
+
+/// Lays the paint that each cell gets. `depth_m`: from the packet's first cell on.
+void StampRows::lay(const QueuedStamp& stamp, int y, const StampPacket& packet, float* depth_m) {
+  if (!find_targets(stamp, y, packet)) return;
+  open_cells(y, packet);
+  const StampPlan& plan = stamp.plan();
+  const TipRow tip = tip_row(plan.pose, stamp.cells(), fine_, y);
+  paint_.resize(at(plan.stride) * kPacketCells);
+  plan.reservoir->sample_planes(tip, x0_ - stamp.cells().x + packet.first, packet.cells,
+                                paint_.data());
+  find_volumes(plan.load->weight.data(), plan.stride, paint_.data(), packet.cells, volume_.data());
+  if (!find_parts(plan, packet.cells,
+                  {value_.data(), laid_share_.data(), volume_.data(), paint_.data()}, depth_m,
+                  part_.data()))
+    return;
+  channel_paint_.clear();
+  for (const int c : *channels_) channel_paint_.push_back(paint_.data() + at(1 + c) * kPacketCells);
+  layers_.lay(target_.data(), part_.data(), channel_paint_);
+}
+
+/// Finds the layer that gets paint in each cell, and the share of the cells that have one. False if
+/// none has.
+bool StampRows::find_targets(const QueuedStamp& stamp, int y, const StampPacket& packet) {
   const int k = canvas_.layout().factor();
   const std::span<const BlockLayers> layers = stamp.layers_in(y / k);
-  const auto is_laid_in = [&](int x) {
-    return layers[at((x0_ + x) / k - stamp.blocks().x0)].target >= 0;
-  };
-  const auto next_block = [&](int x) { return std::min(cells.end, ((x0_ + x) / k + 1) * k - x0_); };
-  paint_.resize(at(canvas_.layout().side()) * at(stamp.plan().stride));
-  std::fill_n(part_.begin(), cells.count(), 0.0f);
+  target_.fill(-1);
+  std::fill_n(laid_share_.begin(), packet.size(), 0.0f);
   bool any = false;
-  for (int x = cells.begin; x < cells.end;) {
-    int end = next_block(x);
-    if (is_laid_in(x)) {
-      while (end < cells.end && is_laid_in(end)) end = next_block(end);
-      any |= sample_run(stamp, y, {x, end}, cells.begin, depth + (x - cells.begin));
+  for (int i = packet.begin; i < packet.end;) {
+    const int x = x0_ + packet.first + i;
+    const int end = std::min(packet.end, i + (x / k + 1) * k - x);
+    const std::int8_t target = layers[at(x / k - stamp.blocks().x0)].target;
+    if (target >= 0) {
+      std::fill(target_.begin() + i, target_.begin() + end, target);
+      std::copy(share_.begin() + i, share_.begin() + end, laid_share_.begin() + i);
+      any = true;
     }
-    x = end;
+    i = end;
   }
   return any;
 }
 
-/// The same for cells in blocks side by side. `first`: the cell with which the rows begin.
-bool StampRows::sample_run(const QueuedStamp& stamp, int y, const CellRange& run, int first,
-                           float* depth) {
-  const StampPlan& plan = stamp.plan();
-  const TipRow tip = tip_row(plan.pose, stamp.cells(), fine_, y);
-  open_cells(y, run, first);
-  const std::size_t from = at(run.begin - first);
-  float* paint = paint_.data() + from * at(plan.stride);
-  plan.reservoir->sample_row(tip, x0_ - stamp.cells().x + run.begin, static_cast<int>(run.count()),
-                             paint);
-  for (std::size_t i = from; i < from + run.count(); ++i, paint += plan.stride) {
-    volume_[i] = plan.load->volume_of(paint);
-    height_[i] = *paint;
-  }
-  return find_parts(plan, static_cast<int>(run.count()),
-                    {&value_[from], &share_[from], &volume_[from], &height_[from]}, depth,
-                    &part_[from]);
-}
-
-/// Opens the layers that the guide opened, in the cells that get paint. `first`: the cell with
-/// which the row of shares begins.
-void StampRows::open_cells(int y, const CellRange& cells, int first) {
+/// Opens the layers that the guide opened, in the cells that get paint.
+void StampRows::open_cells(int y, const StampPacket& packet) {
   if (tile_->open.empty()) return;
-  const std::size_t side = at(canvas_.layout().side());
-  const LayerRow whole = row(y, 0);
-  const std::uint8_t* opened = tile_->open.opened.data() + at(y) % side * side;
-  for (int x = cells.begin; x < cells.end; ++x)
-    if (opened[x] == 0 && share_[at(x - first)] > 0)
-      open_cell(*tile_, canvas_.layout(), whole, x0_ + x, y, x);
-}
-
-void StampRows::deposit(const QueuedStamp& stamp, int y, const CellRange& touched) {
   const DetailLayout& layout = canvas_.layout();
-  const int side = layout.side(), k = layout.factor(), stride = stamp.plan().stride;
-  float* depth =
-      tile_->depth_m.data() + static_cast<std::ptrdiff_t>(y % side) * side + touched.begin;
-  if (!sample(stamp, y, touched, depth)) return;
-  const LayerRow cells = row(y, 0);
-  const std::span<const BlockLayers> layers = stamp.layers_in(y / k);
-  const auto target_at = [&](int x) {
-    return layers[at((x0_ + x) / k - stamp.blocks().x0)].target;
-  };
-  const auto next_block = [&](int x) {
-    return std::min(touched.end, ((x0_ + x) / k + 1) * k - x0_);
-  };
-  for (int x = touched.begin; x < touched.end;) {
-    // Cells of blocks side by side that get the paint in the same layer.
-    const int target = target_at(x);
-    int end = next_block(x);
-    while (end < touched.end && target_at(end) == target) end = next_block(end);
-    const std::size_t first = at(x - touched.begin);
-    for (std::size_t c = 0; target >= 0 && c < channels_->size(); ++c)
-      add_paint(part_.data() + first, paint_.data() + first * at(stride) + 1 + at((*channels_)[c]),
-                stride, end - x, &cells.at(target, static_cast<int>(c), x));
-    x = end;
+  std::uint8_t* opened =
+      tile_->open.opened.data() + at(y) % at(layout.side()) * at(layout.side()) + at(packet.first);
+  if (std::memchr(opened + packet.begin, 0, at(packet.own())) == nullptr) return;
+  const int k = layout.factor();
+  PacketValues opens;
+  for (int i = packet.begin; i < packet.end;) {
+    const int x = x0_ + packet.first + i;
+    const int end = std::min(packet.end, i + (x / k + 1) * k - x);
+    opens.fill(0);
+    bool any = false;
+    for (; i < end; ++i) {
+      if (opened[i] != 0 || !(laid_share_[at(i)] > 0)) continue;
+      opened[i] = 1;
+      opens[at(i)] = 1;
+      any = true;
+    }
+    if (any) layers_.open(opening_in(*tile_, layout, x / k, y / k), opens.data());
   }
 }
 

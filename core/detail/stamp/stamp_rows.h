@@ -3,10 +3,14 @@
 // with the tip and the paper at the resolution of the fine cells. Row ranges have no cell in
 // common, so several threads may work on them.
 
+#include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
+#include "core/detail/stamp/packet_layers.h"
 #include "core/detail/stamp/queued_stamp.h"
+#include "core/detail/stamp/stamp_packet.h"
 #include "core/detail/store/detail_canvas.h"
 #include "core/layers/layer_row.h"
 
@@ -34,12 +38,13 @@ class StampRows {
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
   LayerRow row(int y, int begin) const;
   void do_row(const QueuedStamp& stamp, int y);
-  CellRange measure(const QueuedStamp& stamp, int y);
+  CellRange find_touched(const QueuedStamp& stamp, int y);
   void open_blocks(const QueuedStamp& stamp, int block_y);
-  void deposit(const QueuedStamp& stamp, int y, const CellRange& touched);
-  bool sample(const QueuedStamp& stamp, int y, const CellRange& cells, float* depth);
-  bool sample_run(const QueuedStamp& stamp, int y, const CellRange& run, int first, float* depth);
-  void open_cells(int y, const CellRange& cells, int first);
+  void do_packet(const QueuedStamp& stamp, int y, const StampPacket& packet, int touched);
+  void measure(const QueuedStamp& stamp, int y, const StampPacket& packet, int touched);
+  void lay(const QueuedStamp& stamp, int y, const StampPacket& packet, float* depth_m);
+  bool find_targets(const QueuedStamp& stamp, int y, const StampPacket& packet);
+  void open_cells(int y, const StampPacket& packet);
 
   DetailCanvas& canvas_;
   CanvasGeometry fine_;
@@ -49,10 +54,14 @@ class StampRows {
   const std::vector<int>* channels_ = nullptr;  // of the tile
   std::vector<float> amount_;                   // of these channels
   std::vector<float*> planes_;                  // [layer * channels + i]
-  // Per cell of a row of the tile.
-  std::vector<float> value_, share_, hold_, pick_up_weight_, part_;
-  std::vector<float> volume_, height_;  // of the reservoir's paint over the cell
-  std::vector<float> paint_;            // stride floats per cell
+  std::vector<float> row_value_;                // of the tip, from the first touched cell on
+  PacketLayers layers_;
+  // Of a packet's cells.
+  PacketValues value_, share_, hold_, pick_up_weight_;
+  PacketValues laid_share_, part_, volume_;
+  std::array<std::int8_t, kPacketCells> target_;  // layer that gets paint; -1: none does
+  std::vector<float> paint_;                      // component after component
+  std::vector<const float*> channel_paint_;       // where in it each channel of the tile begins
 };
 
 }  // namespace pentimento

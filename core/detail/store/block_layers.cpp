@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "core/layers/open_layer.h"
-
 namespace pentimento {
 
 LayerOpening opening_of(std::span<const float> total) {
@@ -23,18 +21,6 @@ int layer_on_top(std::span<const float> total) {
   for (std::size_t layer = total.size(); layer-- > 0;)
     if (total[layer] > kEmptyLayerAmount) return static_cast<int>(layer);
   return 0;
-}
-
-void open_fine(const LayerOpening& opening, const LayerRow& row, int x) {
-  for (int layer = 0; layer < row.layers; ++layer) {
-    const int to = opening.to[static_cast<std::size_t>(layer)];
-    if (to == layer) continue;
-    for (int c = 0; c < row.channels; ++c) {
-      row.at(to, c, x) += row.at(layer, c, x);
-      row.at(layer, c, x) = 0;
-    }
-  }
-  if (opening.merges) merge_bottom_layers(row, x);
 }
 
 }  // namespace pentimento

@@ -16,6 +16,7 @@ struct LayerOpening {
   std::array<std::int8_t, kMaxLayers> to{};  // where each layer goes; itself if it stays
   bool merges = false;                       // whether the bottom two layers become one
   int target = 0;                            // the layer that takes the stroke
+  bool operator==(const LayerOpening&) const = default;
 };
 
 /// The opening for a stroke that is new to a cell. `total`: the amount in each of the cell's
@@ -24,7 +25,5 @@ LayerOpening opening_of(std::span<const float> total);
 /// The layer that takes the paint of the stroke that touched the cell last: it goes on in its
 /// layer.
 int layer_on_top(std::span<const float> total);
-/// Does the opening in the fine cell x of `row`.
-void open_fine(const LayerOpening& opening, const LayerRow& row, int x);
 
 }  // namespace pentimento

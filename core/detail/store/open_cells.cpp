@@ -53,14 +53,8 @@ void await_tip(DetailTile& tile, const DetailLayout& layout, int x, int y, int l
     std::fill_n(cells_of(tile, layout, x * k, y * k + j), k, std::uint8_t{0});
 }
 
-void open_cell(DetailTile& tile, const DetailLayout& layout, const LayerRow& row, int x, int y,
-               int cell) {
-  if (tile.open.empty()) return;
-  std::uint8_t& opened = *cells_of(tile, layout, x, y);
-  if (opened != 0) return;
-  opened = 1;
-  const int k = layout.factor();
-  open_fine(tile.open.opening[block_of(layout, x / k, y / k)], row, cell);
+const LayerOpening& opening_in(const DetailTile& tile, const DetailLayout& layout, int x, int y) {
+  return tile.open.opening[block_of(layout, x, y)];
 }
 
 bool layers_correspond(const DetailTile& tile, const DetailLayout& layout, int x, int y) {

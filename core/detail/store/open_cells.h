@@ -16,10 +16,8 @@ void make_openable(OpenCells& open, const DetailLayout& layout);
 void await_tip(DetailTile& tile, const DetailLayout& layout, int x, int y, int layers,
                const LayerOpening& opening);
 
-/// Opens the layer in the fine cell (x, y) of the canvas, which is cell `cell` of `row`, unless it
-/// is open already.
-void open_cell(DetailTile& tile, const DetailLayout& layout, const LayerRow& row, int x, int y,
-               int cell);
+/// What opening does in the fine cells of block (x, y).
+const LayerOpening& opening_in(const DetailTile& tile, const DetailLayout& layout, int x, int y);
 
 /// Whether the fine cells of block (x, y) have the same layers as the guide's cell. If not, the
 /// block is mismatched, and only sums over layers can be compared.

@@ -115,6 +115,28 @@ TEST(Reservoir, SamplesARowAsEachOfItsCells) {
   }
 }
 
+// The same, with each component by itself.
+TEST(Reservoir, SamplesARowPlaneByPlane) {
+  for (const int channels : {3, 6}) {
+    Reservoir reservoir(channels);
+    for (int texel = 0; texel < kReservoirTexels; ++texel)
+      for (int i = 0; i <= channels; ++i)
+        reservoir.dirty_texel(texel)[i] = static_cast<float>((texel * 37 + i * 11) % 101) / 101;
+    const TipRow row{-0.7f, 0.6f, 0.0291f, -0.0283f};
+    constexpr int kFirst = 3;
+    const std::size_t stride = static_cast<std::size_t>(reservoir.stride());
+    std::vector<float> planes(stride * kSampledCells), alone(stride);
+    for (const int cells : {4, kSampledCells}) {
+      reservoir.sample_planes(row, kFirst, cells, planes.data());
+      for (int x = 0; x < cells; ++x) {
+        reservoir.sample(row.u(kFirst + x), row.v(kFirst + x), alone.data());
+        for (std::size_t k = 0; k < stride; ++k)
+          ASSERT_EQ(planes[k * kSampledCells + static_cast<std::size_t>(x)], alone[k]) << x;
+      }
+    }
+  }
+}
+
 TEST(Gather, TheBrushGainsPerAreaWhatTheCanvasLost) {
   const BrushDefinition brush = *builtin_brush("round");
   const Tip tip(brush);

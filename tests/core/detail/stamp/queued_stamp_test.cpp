@@ -45,10 +45,11 @@ TEST_F(QueuedStampTest, TellsWhichBlocksOfARowTheTipReaches) {
   QueuedStamp stamp(1);
   stamp.draw_tip(plan_, layout);
   stamp.before_deposit(plan_, guide_, layout, amount);
+  stamp.find_touched(layout);
   std::vector<float> value(static_cast<std::size_t>(stamp.cells().width));
   int reached = 0, listed = 0;
   for (int y = stamp.blocks().y0; y < stamp.blocks().y1; ++y) {
-    const QueuedStamp::BlockSpan span = stamp.touched_in(y, layout);
+    const QueuedStamp::BlockSpan span = stamp.touched_blocks(y, layout);
     listed += std::max(0, span.x1 - span.x0);
     EXPECT_GE(span.x0, 0);
     EXPECT_LE(span.x1, 60);
