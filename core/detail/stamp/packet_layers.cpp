@@ -2,18 +2,12 @@
 
 #include <algorithm>
 
+#include "core/base/any_not_zero.h"
 #include "core/base/kernel.h"
 
 namespace pentimento {
 
 namespace {
-PENTIMENTO_KERNEL
-bool holds_any(const float* plane, int n) {
-  int any = 0;  // not a bool, which keeps the loop from being a vector's
-  for (int i = 0; i < n; ++i) any |= plane[i] != 0 ? 1 : 0;
-  return any != 0;
-}
-
 /// LayerRow::total() of each cell.
 PENTIMENTO_KERNEL
 void add_channels(const LayerRow& row, int layer, const std::uint8_t* held, int n,
@@ -42,7 +36,7 @@ int highest(const int* values, int n) {
 /// min(1, share_frac weight). False if it is 0 everywhere.
 PENTIMENTO_KERNEL
 bool find_shares(float share_frac, const float* weight, int n, float* __restrict share) {
-  int any = 0;
+  int any = 0;  // not a bool, which keeps the loop from being a vector's
   for (int i = 0; i < n; ++i) {
     const float wanted = std::min(1.0f, share_frac * weight[i]);
     share[i] = wanted > 0 ? wanted : 0.0f;
@@ -185,7 +179,7 @@ void PacketLayers::begin_rows(std::span<float* const> plane, int cells) {
   constexpr int kTogether = 1024;
   const auto holds = [&](const float* values) {
     for (int i = 0; i < cells; i += kTogether)
-      if (holds_any(values + i, std::min(kTogether, cells - i))) return true;
+      if (any_not_zero(values + i, std::min(kTogether, cells - i))) return true;
     return false;
   };
   rows_hold_.clear();
@@ -202,7 +196,8 @@ void PacketLayers::begin(const LayerRow& row, const StampPacket& packet) {
 
 void PacketLayers::find_held() {
   for (std::size_t p = 0; p < held_.size(); ++p)
-    held_[p] = rows_hold_[p] != 0 && holds_any(row_.plane[p] + row_.offset, packet_.cells) ? 1 : 0;
+    held_[p] =
+        rows_hold_[p] != 0 && any_not_zero(row_.plane[p] + row_.offset, packet_.cells) ? 1 : 0;
   held_is_known_ = true;
 }
 
@@ -273,7 +268,7 @@ void PacketLayers::lay(const std::int8_t* target, const float* part,
     select_parts(target, part, layer, n, here.data());
     for (int c = 0; c < row_.channels; ++c) {
       const float* from = paint[static_cast<std::size_t>(c)];
-      if (!holds_any(from, n)) continue;
+      if (!any_not_zero(from, n)) continue;
       add_product(here.data(), from, n, &row_.at(layer, c, 0));
       held_in(layer)[c] = 1;
       rows_hold_[static_cast<std::size_t>(layer * row_.channels + c)] = 1;

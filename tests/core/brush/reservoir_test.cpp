@@ -95,13 +95,18 @@ TEST(Reservoir, SamplesBetweenTexels) {
   EXPECT_NEAR(out[0], 2, 1e-5);
 }
 
+Reservoir filled_anyhow(int channels) {
+  Reservoir reservoir(channels);
+  for (int texel = 0; texel < kReservoirTexels; ++texel)
+    for (int i = 0; i <= channels; ++i)
+      reservoir.dirty_texel(texel)[i] = static_cast<float>((texel * 37 + i * 11) % 101) / 101;
+  return reservoir;
+}
+
 // A row that begins and ends beyond the tip; texels of one vector and of two.
 TEST(Reservoir, SamplesARowAsEachOfItsCells) {
   for (const int channels : {3, 6}) {
-    Reservoir reservoir(channels);
-    for (int texel = 0; texel < kReservoirTexels; ++texel)
-      for (int i = 0; i <= channels; ++i)
-        reservoir.dirty_texel(texel)[i] = static_cast<float>((texel * 37 + i * 11) % 101) / 101;
+    const Reservoir reservoir = filled_anyhow(channels);
     const TipRow row{-0.7f, 0.6f, 0.0091f, -0.0083f};
     constexpr int kFirst = 3, kCells = 150;
     const std::size_t stride = static_cast<std::size_t>(reservoir.stride());
@@ -118,10 +123,7 @@ TEST(Reservoir, SamplesARowAsEachOfItsCells) {
 // The same, with each component by itself.
 TEST(Reservoir, SamplesARowPlaneByPlane) {
   for (const int channels : {3, 6}) {
-    Reservoir reservoir(channels);
-    for (int texel = 0; texel < kReservoirTexels; ++texel)
-      for (int i = 0; i <= channels; ++i)
-        reservoir.dirty_texel(texel)[i] = static_cast<float>((texel * 37 + i * 11) % 101) / 101;
+    const Reservoir reservoir = filled_anyhow(channels);
     const TipRow row{-0.7f, 0.6f, 0.0291f, -0.0283f};
     constexpr int kFirst = 3;
     const std::size_t stride = static_cast<std::size_t>(reservoir.stride());
