@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "core/base/four.h"
 #include "core/base/kernel.h"
 
 namespace pentimento {
@@ -92,7 +93,6 @@ struct TentPlace {
 };
 
 // Floats that are added at a time.
-using FourFloats = float __attribute__((vector_size(16)));
 using EightFloats = float __attribute__((vector_size(32)));
 
 /// texel += w paint for the texels [begin, end) of a row. A texel is `chunks` vectors, or kChunks
@@ -153,11 +153,11 @@ bool give_to_tents(const float* paint, float factor, TentPlace u, TentPlace v,
   const WideCell cell{paint, factor, weight, along, across};
   // Loops of their own for up to seven pigments; beyond, to know the number gains nothing.
   if (stride == 4) {
-    give_to_rows<FourFloats, 1>(cell, covered, stride, texels);
+    give_to_rows<Four, 1>(cell, covered, stride, texels);
   } else if (stride == 8) {
     give_to_rows<EightFloats, 1>(cell, covered, stride, texels);
   } else {
-    give_to_rows<FourFloats, 0>(cell, covered, stride, texels);
+    give_to_rows<Four, 0>(cell, covered, stride, texels);
   }
   return true;
 }

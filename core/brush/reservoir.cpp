@@ -1,8 +1,8 @@
 #include "core/brush/reservoir.h"
 
 #include <algorithm>
-#include <cstring>
 
+#include "core/base/four.h"
 #include "core/base/kernel.h"
 
 namespace pentimento {
@@ -74,14 +74,6 @@ inline void blend_cells(const float* data, int given_stride, const CellTexels& a
   }
 }
 
-using Four = float __attribute__((vector_size(16)));
-
-inline Four four_at(const float* at) {
-  Four values;
-  std::memcpy(&values, at, sizeof(values));
-  return values;
-}
-
 /// Four cells of four components each become four components of four cells each.
 inline void write_transposed(const Four (&cell)[4], float* __restrict out) {
   const Four ab_low = __builtin_shufflevector(cell[0], cell[1], 0, 4, 1, 5);
@@ -92,7 +84,7 @@ inline void write_transposed(const Four (&cell)[4], float* __restrict out) {
                              __builtin_shufflevector(ab_low, cd_low, 2, 3, 6, 7),
                              __builtin_shufflevector(ab_high, cd_high, 0, 1, 4, 5),
                              __builtin_shufflevector(ab_high, cd_high, 2, 3, 6, 7)};
-  for (int k = 0; k < 4; ++k) std::memcpy(out + k * kSampledCells, &component[k], sizeof(Four));
+  for (int k = 0; k < 4; ++k) put_four(component[k], out + k * kSampledCells);
 }
 
 /// blend_texels() for cells four by four, with components apart.

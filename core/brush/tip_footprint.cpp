@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/four.h"
 #include "core/base/kernel.h"
 
 namespace pentimento {
@@ -124,28 +125,26 @@ void find_places(const MapRow& at, int stride, int first, int n, MapPlaces& plac
   }
 }
 
-using FourValues = float __attribute__((vector_size(16)));
-
 /// The values at the texels of four cells, and at the texels right of those.
 struct TexelPairs {
-  FourValues left, right;
+  Four left, right;
 
   TexelPairs(const float* map, const int* texel) {
-    const FourValues ab = two_pairs(map + texel[0], map + texel[1]);
-    const FourValues cd = two_pairs(map + texel[2], map + texel[3]);
+    const Four ab = two_pairs(map + texel[0], map + texel[1]);
+    const Four cd = two_pairs(map + texel[2], map + texel[3]);
     left = __builtin_shufflevector(ab, cd, 0, 2, 4, 6);
     right = __builtin_shufflevector(ab, cd, 1, 3, 5, 7);
   }
 
  private:
-  static FourValues two_pairs(const float* a, const float* b) {
+  static Four two_pairs(const float* a, const float* b) {
     // A pair is carried as a double, which no instruction computes with.
     using Pairs = double __attribute__((vector_size(16)));
     double first, second;
     std::memcpy(&first, a, sizeof(first));
     std::memcpy(&second, b, sizeof(second));
     const Pairs pairs = {first, second};
-    return std::bit_cast<FourValues>(pairs);
+    return std::bit_cast<Four>(pairs);
   }
 };
 
@@ -157,13 +156,10 @@ void read_places(const float* map, int stride, const MapPlaces& places, int n,
   for (int i = 0; i < n; i += 4) {
     const int* texel = places.texel.data() + i;
     const TexelPairs above(map, texel), below(map + stride, texel);
-    FourValues fx, fy;
-    std::memcpy(&fx, places.x.data() + i, sizeof(fx));
-    std::memcpy(&fy, places.y.data() + i, sizeof(fy));
-    const FourValues top = above.left + fx * (above.right - above.left);
-    const FourValues bottom = below.left + fx * (below.right - below.left);
-    const FourValues value = top + fy * (bottom - top);
-    std::memcpy(out + i, &value, sizeof(value));
+    const Four fx = four_at(places.x.data() + i), fy = four_at(places.y.data() + i);
+    const Four top = above.left + fx * (above.right - above.left);
+    const Four bottom = below.left + fx * (below.right - below.left);
+    put_four(top + fy * (bottom - top), out + i);
   }
 }
 

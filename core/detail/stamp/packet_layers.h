@@ -37,24 +37,14 @@ class PacketLayers {
   void mix(const MixLayers& mix, const float* weight);
 
  private:
-  void find_held();
+  const LayerRow& held_row();
   void spread_held();
-  void measure();
-  std::uint8_t* held_in(int layer) {
-    return held_.data() + static_cast<std::ptrdiff_t>(layer) * row_.channels;
-  }
-  bool holds_channel(int channel);
 
   LayerRow row_;
   StampPacket packet_;
   // Per plane: 0 if the rows, or the packet, are known to hold nothing in it.
   std::vector<std::uint8_t> rows_hold_, held_;
   bool held_is_known_ = false;
-  // Since measure(): amounts of each layer, how many layers each cell has, empty ones below its top
-  // included (none outside of the packet's own cells), and the most of these.
-  std::array<PacketValues, kMaxLayers> total_;
-  std::array<int, kPacketCells> occupied_;
-  int most_ = 0;
 };
 
 }  // namespace pentimento

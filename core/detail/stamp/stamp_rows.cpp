@@ -9,6 +9,8 @@
 namespace pentimento {
 
 namespace {
+static_assert(kSampledCells == kPacketCells);  // component after component of a packet
+
 /// The results of measure_row().
 struct MeasuredRow {
   float *hold, *pick_up_weight, *share;
