@@ -112,7 +112,7 @@ Result<TileStore::Buffer> TileStore::allocate() {
     ++next_;
   }
   ++used_;
-  mark_used(buffer);
+  note_use(buffer);
   return buffer;
 }
 
@@ -139,7 +139,7 @@ float* TileStore::data(Buffer buffer) const {
                                   buffer % segment_buffers_ * stride_);
 }
 
-void TileStore::mark_used(Buffer buffer) {
+void TileStore::note_use(Buffer buffer) {
   if (last_use_of(buffer).exchange(trims_, std::memory_order_relaxed) == 0) ++held_;
 }
 
@@ -152,7 +152,7 @@ void TileStore::drop(Buffer buffer) const {
 void TileStore::trim() {
   ++trims_;
   const std::int64_t budget = options_.resident_bytes;
-  if (file_ < 0 || budget <= 0 || held_bytes() <= budget) return;
+  if (!gives_back() || held_bytes() <= budget) return;
   std::vector<std::pair<std::uint64_t, Buffer>> held;
   for (Buffer buffer = 0; buffer < next_; ++buffer) {
     if (const std::uint64_t last_use = last_use_of(buffer); last_use != 0)

@@ -47,8 +47,12 @@ class TileStore {
   /// The buffer's floats, TileStoreOptions::buffer_floats of them. They start at a page.
   float* data(Buffer buffer) const;
 
-  /// Notes that the buffer is in use now.
-  void mark_used(Buffer buffer);
+  /// Whether trim() ever gives memory back, so that it has to know which buffers are used.
+  bool gives_back() const { return file_ >= 0 && options_.resident_bytes > 0; }
+  /// Notes that the buffer is in use now. Where trim() gives nothing back, it does nothing.
+  void mark_used(Buffer buffer) {
+    if (gives_back()) note_use(buffer);
+  }
   /// Gives back memory until only resident_bytes are held, beginning with the buffers that were
   /// used longest ago. Buffers used between the same two calls of trim() count as equally old.
   /// Their values stay in the file. Call it while no thread works on buffers. Without a scratch
@@ -78,6 +82,7 @@ class TileStore {
   std::int64_t offset_of(Buffer buffer) const {
     return static_cast<std::int64_t>(buffer) * static_cast<std::int64_t>(stride_);
   }
+  void note_use(Buffer buffer);
   void drop(Buffer buffer) const;
 
   TileStoreOptions options_;

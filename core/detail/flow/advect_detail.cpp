@@ -1,6 +1,7 @@
 #include "core/detail/flow/advect_detail.h"
 
 #include <algorithm>
+#include <cstdint>
 
 #include "core/base/any_not_zero.h"
 #include "core/detail/flow/fine_edges.h"
@@ -11,7 +12,15 @@ namespace pentimento {
 namespace {
 constexpr int kLinesPerTask = 16;
 
-/// Moves single lines of a run. The buffers are kept from line to line.
+/// Part of a line, between two edges of the guide that stand still, in which edges move.
+struct MovingPart {
+  int line = 0;              // among those that move together
+  int begin = 0, cells = 0;  // fine cells, counted from the run's first
+  FineSources sources;
+};
+
+/// Moves some lines of a run together, quantity by quantity, so that a tile's rows are read as they
+/// lie. The buffers are kept from call to call.
 class LineMover {
  public:
   LineMover(DetailCanvas& canvas, const PaintEdges& edges, const DetailAdvection& move)
@@ -24,18 +33,23 @@ class LineMover {
       present_.push_back(has_plane(canvas_, run, WetPlane{p}));
   }
 
-  void move(int line) {
-    // The guide's motion along this line; a line without motion stays.
-    if (!find_edges(line)) return;
-    const std::size_t blocks = at(run_->length());
-    // Pieces of the line that move, each by itself: depth, then the channels of each layer.
-    for (std::size_t from = 0; from < blocks; ++from) {
-      if (blended_[from + 1] == 0) continue;
-      std::size_t to = from + 1;
-      while (to < blocks && (blended_[to] != 0 || blended_[to + 1] != 0)) ++to;
-      take_part(from, to);
-      move_depth(line);
-      for (int layer = 0; layer < canvas_.layers(); ++layer) move_layer(layer, line);
+  void move(int line, int lines) {
+    // The guide's motion along these lines, in parts; where nothing moves, paint stays.
+    range_.line = line;
+    range_.lines = lines;
+    parts_used_ = 0;
+    const int blocks = run_->length();
+    moves_.assign(at(blocks), 0);
+    for (int l = 0; l < lines; ++l)
+      if (find_edges(line + l)) find_parts(l);
+    // Blocks side by side in which any of the lines moves: depth, then the channels of each layer.
+    for (int from = 0; from < blocks; ++from) {
+      if (moves_[at(from)] == 0) continue;
+      int to = from + 1;
+      while (to < blocks && moves_[at(to)] != 0) ++to;
+      take_blocks(from, to);
+      move_plane(WetPlane{});
+      for (int layer = 0; layer < canvas_.layers(); ++layer) move_layer(layer);
       from = to;
     }
   }
@@ -53,23 +67,46 @@ class LineMover {
     return blend_edges(a_, b_, across - static_cast<float>(low), blended_);
   }
 
-  /// Takes the blocks [from, to) of the line as the part to move. The edges at both ends stand
-  /// still, so the parts of a line do not touch one another.
-  void take_part(std::size_t from, std::size_t to) {
-    part_.assign(blended_.begin() + static_cast<std::ptrdiff_t>(from),
-                 blended_.begin() + static_cast<std::ptrdiff_t>(to) + 1);
-    begin_ = static_cast<int>(from) * k_;
-    const std::size_t cells = (to - from) * at(k_);
-    position_.resize(cells + 1);
-    // Where the fine edges go, and from which fine cells each cell is then made.
-    place_edges(part_, k_, position_);
-    find_sources(position_, sources_);
-    value_.resize(cells + 2);
-    share_.resize(cells);
-    held_.resize(cells);
-    out_.resize(cells);
-    scratch_.resize(cells + 1);
+  /// Finds the parts of a line that move. The edges at both ends of a part stand still, so the
+  /// parts of a line do not touch one another.
+  void find_parts(int line) {
+    const std::size_t blocks = at(run_->length());
+    for (std::size_t from = 0; from < blocks; ++from) {
+      if (blended_[from + 1] == 0) continue;
+      std::size_t to = from + 1;
+      while (to < blocks && (blended_[to] != 0 || blended_[to + 1] != 0)) ++to;
+      add_part(line, from, to);
+      std::fill(moves_.begin() + static_cast<std::ptrdiff_t>(from),
+                moves_.begin() + static_cast<std::ptrdiff_t>(to), std::uint8_t{1});
+      from = to;
+    }
   }
+
+  /// Adds the blocks [from, to) of a line: where the fine edges go, and from which fine cells each
+  /// cell is then made.
+  void add_part(int line, std::size_t from, std::size_t to) {
+    if (parts_used_ == parts_.size()) parts_.emplace_back();
+    MovingPart& part = parts_[parts_used_++];
+    part.line = line;
+    part.begin = static_cast<int>(from) * k_;
+    part.cells = static_cast<int>(to - from) * k_;
+    position_.resize(at(part.cells) + 1);
+    place_edges(std::span(blended_).subspan(from, to - from + 1), k_, position_);
+    find_sources(position_, part.sources);
+  }
+
+  void take_blocks(int from, int to) {
+    range_.begin = from * k_;
+    range_.cells = (to - from) * k_;
+    const std::size_t values = at(range_.lines) * at(stride());
+    value_.resize(values);
+    share_.resize(values);
+    held_.resize(at(range_.cells));
+    out_.resize(at(range_.cells));
+    scratch_.resize(at(range_.cells) + 1);
+  }
+  /// From line to line in the buffers, with a cell before and one behind each.
+  int stride() const { return range_.cells + 2; }
 
   /// How many rows the guide has before the run's first row, and how many from that row on: edges
   /// are read beyond the run.
@@ -92,56 +129,70 @@ class LineMover {
     }
   }
 
-  void load(const WetPlane& q, int line) {
-    const std::span<float> cells{value_.data() + 1, out_.size()};
-    load_line(canvas_, *run_, q, line, begin_, cells);
-    value_.front() = cells.front();
-    value_.back() = cells.back();
+  void load(const WetPlane& q) {
+    load_lines(canvas_, *run_, q, range_, {value_.data() + 1, stride()});
   }
 
-  void move_depth(int line) {
-    const WetPlane depth;
-    load(depth, line);
-    remap_line(sources_, value_, scratch_, out_);
-    store_line(canvas_, *run_, depth, line, begin_, out_);
+  /// Moves what the range has of a plane, but for the residue that layer 0 holds back.
+  void move_plane(const WetPlane& q, bool holds_residue = false) {
+    load(q);
+    bool moved = false;
+    for (std::size_t i = 0; i < parts_used_; ++i) {
+      const MovingPart& part = parts_[i];
+      const bool inside = part.begin >= range_.begin && part.begin < range_.begin + range_.cells;
+      if (inside && move_part(part, holds_residue)) moved = true;
+    }
+    if (moved) store_lines(canvas_, *run_, q, range_, {value_.data() + 1, stride()});
   }
 
-  void move_layer(int layer, int line) {
-    if (layer == 0) find_share(line);
+  /// False if nothing lies in the part.
+  bool move_part(const MovingPart& part, bool holds_residue) {
+    const std::size_t first = at(part.line) * at(stride()) + at(1 + part.begin - range_.begin);
+    const std::size_t n = at(part.cells);
+    if (!any_not_zero(value_.data() + first, part.cells)) return false;
+    if (holds_residue) split_residue(first, n);
+    // The cells at both ends repeat beyond them while the part moves.
+    float* cell = value_.data() + first;
+    const float before = cell[-1], behind = cell[n];
+    cell[-1] = cell[0];
+    cell[n] = cell[n - 1];
+    remap_line(part.sources, {cell - 1, n + 2}, {scratch_.data(), n + 1}, {out_.data(), n});
+    cell[-1] = before;
+    cell[n] = behind;
+    if (holds_residue)
+      for (std::size_t i = 0; i < n; ++i) out_[i] += held_[i];
+    std::copy_n(out_.data(), n, cell);
+    return true;
+  }
+
+  void move_layer(int layer) {
+    if (layer == 0) find_shares();
     for (int c = 0; c < canvas_.channels(); ++c) {
       const WetPlane q{layer * canvas_.channels() + c};
-      if (!present_[at(1 + q.pigment)]) continue;
-      load(q, line);
-      if (!any_not_zero(value_.data(), static_cast<int>(value_.size()))) continue;
-      if (layer == 0) split_residue();
-      remap_line(sources_, value_, scratch_, out_);
-      if (layer == 0)
-        for (std::size_t i = 0; i < out_.size(); ++i) out_[i] += held_[i];
-      store_line(canvas_, *run_, q, line, begin_, out_);
+      if (present_[at(1 + q.pigment)]) move_plane(q, layer == 0);
     }
   }
 
   /// Finds the share of layer 0 that may leave the paper (R19).
-  void find_share(int line) {
+  void find_shares() {
     std::fill(share_.begin(), share_.end(), 0.0f);
     for (int c = 0; c < canvas_.channels(); ++c) {
       const float amount = move_.amount[at(c)];
       if (amount == 0 || !present_[at(1 + c)]) continue;
-      load_line(canvas_, *run_, WetPlane{c}, line, begin_, out_);
-      for (std::size_t i = 0; i < out_.size(); ++i) share_[i] += amount * out_[i];
+      load(WetPlane{c});
+      for (std::size_t i = 0; i < share_.size(); ++i) share_[i] += amount * value_[i];
     }
     for (float& s : share_) s = s > move_.residue ? (s - move_.residue) / s : 0.0f;
   }
 
-  // Takes the residue out of value_ into held_. It is added again once the rest has moved.
-  void split_residue() {
-    for (std::size_t i = 0; i < held_.size(); ++i) {
-      const float free = value_[i + 1] * share_[i];
-      held_[i] = value_[i + 1] - free;
-      value_[i + 1] = free;
+  // Takes the residue of a part out of value_ into held_. It is added again once the rest has
+  // moved.
+  void split_residue(std::size_t first, std::size_t n) {
+    for (std::size_t i = 0; i < n; ++i) {
+      const float free = value_[first + i] * share_[first + i];
+      held_[i] = value_[first + i] - free;
+      value_[first + i] = free;
     }
-    value_.front() = value_[1];
-    value_.back() = value_[value_.size() - 2];
   }
 
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
@@ -151,11 +202,14 @@ class LineMover {
   const DetailAdvection& move_;
   int k_;
   const TileRun* run_ = nullptr;
-  std::vector<bool> present_;  // depth, then every pigment plane
-  int begin_ = 0;              // first fine cell of the part that moves
-  std::vector<float> a_, b_, blended_, part_, position_;
-  FineSources sources_;
-  std::vector<float> value_, share_, held_, out_, scratch_;
+  std::vector<bool> present_;        // depth, then every pigment plane
+  LineRange range_;                  // what is moved now
+  std::vector<std::uint8_t> moves_;  // per block along the run
+  std::vector<MovingPart> parts_;    // by lines, then along them
+  std::size_t parts_used_ = 0;
+  std::vector<float> a_, b_, blended_, position_;
+  std::vector<float> value_, share_;  // line after line
+  std::vector<float> held_, out_, scratch_;
 };
 
 /// Lines [begin, end) of a run.
@@ -195,7 +249,7 @@ void advect_detail(DetailCanvas& canvas, const PaintEdges& edges, Axis axis,
     for (int t = begin; t < end; ++t) {
       const LineTask& task = tasks[static_cast<std::size_t>(t)];
       mover.begin(*task.run);
-      for (int line = task.begin; line < task.end; ++line) mover.move(line);
+      mover.move(task.begin, task.end - task.begin);
     }
   });
 }

@@ -30,16 +30,34 @@ int most_apart(const int* cell, int edges) {
   return most;
 }
 
-/// part(i, s) of each edge (fine_remap.h).
+/// Whether the sources of `n` edges and of the one behind them lie in cells side by side.
 PENTIMENTO_KERNEL
-void find_parts(const int* cell, const float* share, const float* m, int edges,
+bool is_in_step(const int* cell, int n) {
+  int off = 0;
+  for (int j = 0; j < n; ++j) off |= cell[j + 1] - cell[j] - 1;
+  return off == 0;
+}
+
+/// part(i, s) of an edge (fine_remap.h), from the amounts around i.
+inline float part_of(float s, float before, float here, float after) {
+  const float slope = conservative::limited_mc(here - before, after - here);
+  return s * (here - 0.5f * slope * (1 - s));
+}
+
+/// The parts of `n` edges.
+PENTIMENTO_KERNEL
+void find_parts(const int* cell, const float* share, const float* m, int n,
                 float* __restrict part) {
-  for (int j = 0; j < edges; ++j) {
+  for (int j = 0; j < n; ++j) {
     const int i = cell[j];
-    const float s = share[j];
-    const float slope = conservative::limited_mc(m[i] - m[i - 1], m[i + 1] - m[i]);
-    part[j] = s * (m[i] - 0.5f * slope * (1 - s));
+    part[j] = part_of(share[j], m[i - 1], m[i], m[i + 1]);
   }
+}
+
+/// The same for kEdgesTogether edges whose sources are in step: `m` of the first one's.
+PENTIMENTO_KERNEL
+void find_parts_in_step(const float* share, const float* m, float* __restrict part) {
+  for (int j = 0; j < kEdgesTogether; ++j) part[j] = part_of(share[j], m[j - 1], m[j], m[j + 1]);
 }
 
 /// The amount between two edges, for cells whose edges come from at most two cells apart.
@@ -51,6 +69,15 @@ void sum_between(const int* cell, const float* m, const float* part, int cells,
     float sum = part[j + 1] - part[j];
     sum += apart > 0 ? m[i] : 0.0f;
     sum += apart > 1 ? m[i + 1] : 0.0f;
+    out[j] = sum > 0 ? sum : 0.0f;
+  }
+}
+
+/// The same for kEdgesTogether cells whose edges are in step: `m` of the first one's source.
+PENTIMENTO_KERNEL
+void sum_in_step(const float* m, const float* part, float* __restrict out) {
+  for (int j = 0; j < kEdgesTogether; ++j) {
+    const float sum = part[j + 1] - part[j] + m[j];
     out[j] = sum > 0 ? sum : 0.0f;
   }
 }
@@ -78,6 +105,11 @@ void find_sources(std::span<const float> position, FineSources& sources) {
   sources.cell[edges - 1] = static_cast<int>(edges) - 2;
   sources.share[edges - 1] = 1;
   sources.most = most_apart(sources.cell.data(), static_cast<int>(edges));
+  sources.in_step.clear();
+  constexpr std::size_t kTogether = kEdgesTogether;
+  for (std::size_t j = 0; j < edges; j += kTogether)
+    sources.in_step.push_back(
+        j + kTogether < edges && is_in_step(sources.cell.data() + j, kEdgesTogether) ? 1 : 0);
 }
 
 void remap_line(const FineSources& sources, std::span<const float> amount, std::span<float> part,
@@ -85,9 +117,29 @@ void remap_line(const FineSources& sources, std::span<const float> amount, std::
   const float* m = amount.data() + 1;
   const int cells = static_cast<int>(out.size());
   const int* cell = sources.cell.data();
-  // Near cells in whole vectors; then the few whose edges come from further apart.
-  find_parts(cell, sources.share.data(), m, cells + 1, part.data());
-  sum_between(cell, m, part.data(), cells, out.data());
+  const float* share = sources.share.data();
+  const auto in_step = [&](int j) {
+    return sources.in_step[static_cast<std::size_t>(j / kEdgesTogether)] != 0;
+  };
+  // Near cells in whole vectors, which lie side by side where the edges are in step.
+  for (int j = 0; j <= cells; j += kEdgesTogether) {
+    float* to = part.data() + j;
+    if (in_step(j)) {
+      find_parts_in_step(share + j, m + cell[j], to);
+    } else {
+      find_parts(cell + j, share + j, m, std::min(kEdgesTogether, cells + 1 - j), to);
+    }
+  }
+  for (int j = 0; j < cells; j += kEdgesTogether) {
+    const float* from = part.data() + j;
+    float* to = out.data() + j;
+    if (in_step(j)) {
+      sum_in_step(m + cell[j], from, to);
+    } else {
+      sum_between(cell + j, m, from, std::min(kEdgesTogether, cells - j), to);
+    }
+  }
+  // Then the few cells whose edges come from further apart.
   if (sources.most <= 2) return;
   for (std::size_t j = 0; j < out.size(); ++j)
     if (cell[j + 1] - cell[j] > 2) out[j] = sum_far(m, cell[j], cell[j + 1], part[j + 1] - part[j]);

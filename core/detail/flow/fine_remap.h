@@ -3,6 +3,7 @@
 // backwards: for each edge it finds where that edge came from, because here every cell may move
 // far.
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -14,7 +15,11 @@ struct FineSources {
   std::vector<int> cell;
   std::vector<float> share;  // of the cell's length that lies before the edge, [0,1]
   int most = 0;              // most cells between the sources of two edges side by side
+  // Per piece of the line, kEdgesTogether edges each: 1 if their sources and that of the edge
+  // behind them lie in cells side by side, one each.
+  std::vector<std::uint8_t> in_step;
 };
+inline constexpr int kEdgesTogether = 16;
 
 /// Finds the sources for n + 1 ascending positions of moved edges (fine_edges.h), the first 0, the
 /// last n.

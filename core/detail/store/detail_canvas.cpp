@@ -49,6 +49,7 @@ bool DetailCanvas::make(TilePlane& plane) {
 }
 
 void DetailCanvas::mark_used(int tile) const {
+  if (!store_.gives_back()) return;
   const DetailTile* made = find(tile);
   if (made == nullptr) return;
   made->depth_m.mark_used();

@@ -5,22 +5,23 @@
 namespace pentimento {
 
 namespace {
-/// Calls body(plane or nullptr, first element, stride, where in the line's part, cells).
+/// Calls body(the cells in a tile's plane, its first one nullptr if there is none; place along the
+/// range; cells along the range) for the tiles of a range.
 template <typename Body>
-void for_pieces(DetailCanvas& canvas, const TileRun& run, const WetPlane& q, int line, int begin,
-                int count, const Body& body) {
+void for_pieces(DetailCanvas& canvas, const TileRun& run, const WetPlane& q, const LineRange& range,
+                const Body& body) {
   const int side = canvas.layout().side();
   int done = 0;
-  while (done < count) {
-    const int at = begin + done;
+  while (done < range.cells) {
+    const int at = range.begin + done;
     const int within = at % side;
-    const int cells = std::min(side - within, count - done);
+    const int cells = std::min(side - within, range.cells - done);
     DetailTile* tile = canvas.find(run.tiles[static_cast<std::size_t>(at / side)]);
     float* data = tile == nullptr ? nullptr : q.of(*tile).data();
     const bool along_x = run.axis == Axis::kX;
-    const std::ptrdiff_t first = along_x ? static_cast<std::ptrdiff_t>(line) * side + within
-                                         : static_cast<std::ptrdiff_t>(within) * side + line;
-    body(data, first, along_x ? 1 : side, done, cells);
+    const int row = along_x ? range.line : within, column = along_x ? within : range.line;
+    if (data != nullptr) data += static_cast<std::ptrdiff_t>(row) * side + column;
+    body(FloatBlock<float>{data, side}, done, cells);
     done += cells;
   }
 }
@@ -51,33 +52,35 @@ std::vector<TileRun> runs_of(const DetailLayout& layout, const ChangedBlocks& bl
   return runs;
 }
 
-void load_line(DetailCanvas& canvas, const TileRun& run, const WetPlane& q, int line, int begin,
-               std::span<float> out) {
-  for_pieces(canvas, run, q, line, begin, static_cast<int>(out.size()),
-             [&](const float* data, std::ptrdiff_t first, std::ptrdiff_t stride, int at, int n) {
-               float* to = out.data() + at;
-               if (data == nullptr) {
-                 std::fill_n(to, n, 0.0f);
-               } else if (stride == 1) {
-                 std::copy_n(data + first, n, to);
-               } else {
-                 for (int i = 0; i < n; ++i) to[i] = data[first + i * stride];
-               }
-             });
+void load_lines(DetailCanvas& canvas, const TileRun& run, const WetPlane& q, const LineRange& range,
+                const FloatBlock<float>& out) {
+  for_pieces(canvas, run, q, range, [&](const FloatBlock<float>& cells, int at, int n) {
+    if (cells.first != nullptr && run.axis == Axis::kY) {
+      transpose({cells.first, cells.stride}, n, range.lines, {out.first + at, out.stride});
+      return;
+    }
+    for (int l = 0; l < range.lines; ++l) {
+      float* to = out.first + l * out.stride + at;
+      if (cells.first == nullptr) {
+        std::fill_n(to, n, 0.0f);
+      } else {
+        std::copy_n(cells.first + l * cells.stride, n, to);
+      }
+    }
+  });
 }
 
-void store_line(DetailCanvas& canvas, const TileRun& run, const WetPlane& q, int line, int begin,
-                std::span<const float> in) {
-  for_pieces(canvas, run, q, line, begin, static_cast<int>(in.size()),
-             [&](float* data, std::ptrdiff_t first, std::ptrdiff_t stride, int at, int n) {
-               const float* from = in.data() + at;
-               if (data == nullptr) return;
-               if (stride == 1) {
-                 std::copy_n(from, n, data + first);
-               } else {
-                 for (int i = 0; i < n; ++i) data[first + i * stride] = from[i];
-               }
-             });
+void store_lines(DetailCanvas& canvas, const TileRun& run, const WetPlane& q,
+                 const LineRange& range, const FloatBlock<const float>& in) {
+  for_pieces(canvas, run, q, range, [&](const FloatBlock<float>& cells, int at, int n) {
+    if (cells.first == nullptr) return;
+    if (run.axis == Axis::kY) {
+      transpose({in.first + at, in.stride}, range.lines, n, cells);
+      return;
+    }
+    for (int l = 0; l < range.lines; ++l)
+      std::copy_n(in.first + l * in.stride + at, n, cells.first + l * cells.stride);
+  });
 }
 
 bool has_plane(DetailCanvas& canvas, const TileRun& run, const WetPlane& q) {

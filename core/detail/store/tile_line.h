@@ -1,10 +1,10 @@
 #pragma once
-// Lines of fine cells across neighbouring tiles. A line is loaded from the tiles into one array,
-// moved along its axis, and stored back.
+// Lines of fine cells across neighbouring tiles. Some lines side by side are loaded from the tiles
+// into one array, moved along their axis, and stored back.
 
-#include <span>
 #include <vector>
 
+#include "core/base/transpose.h"
 #include "core/detail/store/changed_blocks.h"
 #include "core/detail/store/detail_canvas.h"
 
@@ -24,13 +24,19 @@ struct TileRun {
 /// The runs of the tiles that have blocks in the list.
 std::vector<TileRun> runs_of(const DetailLayout& layout, const ChangedBlocks& blocks, Axis axis);
 
-/// Loads fine cells of line `line`, counted across the run, from cell `begin` of the run on. Absent
-/// planes read as 0.
-void load_line(DetailCanvas& canvas, const TileRun& run, const WetPlane& q, int line, int begin,
-               std::span<float> out);
-/// Stores fine cells of a line again. Where the plane is absent, nothing is stored.
-void store_line(DetailCanvas& canvas, const TileRun& run, const WetPlane& q, int line, int begin,
-                std::span<const float> in);
+/// Fine cells of lines side by side: of the lines from `line` on, counted across the run, the cells
+/// from `begin` on, counted along it.
+struct LineRange {
+  int line = 0, lines = 0;
+  int begin = 0, cells = 0;
+};
+
+/// Loads the lines, one row of `out` each. Absent planes read as 0.
+void load_lines(DetailCanvas& canvas, const TileRun& run, const WetPlane& q, const LineRange& range,
+                const FloatBlock<float>& out);
+/// Stores lines again. Where the plane is absent, nothing is stored.
+void store_lines(DetailCanvas& canvas, const TileRun& run, const WetPlane& q,
+                 const LineRange& range, const FloatBlock<const float>& in);
 /// Whether any tile of the run has the plane.
 bool has_plane(DetailCanvas& canvas, const TileRun& run, const WetPlane& q);
 

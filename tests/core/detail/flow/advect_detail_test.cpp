@@ -35,6 +35,11 @@ class MoveDetailTest : public ::testing::Test {
     const DetailTile* tile = canvas_.find(layout_.tile_of(x / side, y / side));
     return tile->depth_m.data()[y % side * side + x % side];
   }
+  void set_depth(int x, int y, float depth) {
+    const int side = layout_.side();
+    canvas_.find(layout_.tile_of(x / side, y / side))->depth_m.data()[y % side * side + x % side] =
+        depth;
+  }
   std::vector<float> depths() const {
     std::vector<float> out;
     for (int y = 0; y < 256; ++y)
@@ -87,6 +92,47 @@ TEST_F(MoveDetailTest, AShortRunOfTilesKnowsNothingOfALongOneBeforeIt) {
   for (int y = 128; y < 256; ++y)
     for (int x = 64; x < 256; ++x)
       EXPECT_EQ(depth_at(x, y), before[static_cast<std::size_t>(y * 256 + x)]) << x << ", " << y;
+}
+
+TEST_F(MoveDetailTest, LinesThatMoveTogetherDoNotMix) {
+  // Each row and column of the guide has two parts that move, elsewhere than its neighbour's, with
+  // a block between them that stands still in some. Lines moved with others must come out as the
+  // same line does when nothing else moves.
+  const auto edges_of = [](int across, int along) {
+    const int shift = across % 5;
+    const bool first = along >= 2 + shift && along < 9 + shift;
+    const bool second = along >= 12 + 2 * shift && along < 27;
+    return first ? 0.2f : second ? -0.15f : 0.0f;
+  };
+  const std::vector<float> before = depths();
+  for (const Axis axis : {Axis::kX, Axis::kY}) {
+    const auto moved = [&](int lowest, int highest) {
+      for (int y = 0; y < 256; ++y)
+        for (int x = 0; x < 256; ++x)
+          set_depth(x, y, before[static_cast<std::size_t>(y * 256 + x)]);
+      PaintEdges& e = edges_;
+      for (int y = 0; y < 32; ++y)
+        for (int x = 0; x < 32; ++x) {
+          const int across = axis == Axis::kX ? y : x, along = axis == Axis::kX ? x : y;
+          (axis == Axis::kX ? e.x : e.y)[0](x, y) =
+              across >= lowest && across <= highest ? edges_of(across, along) : 0.0f;
+        }
+      ChangedBlocks all(layout_);
+      all.add({0, 32, 0, 32});
+      move(axis, all);
+      return depths();
+    };
+    const std::vector<float> together = moved(0, 31);
+    EXPECT_NE(together, before);
+    // Guide lines 9 to 11 alone give the fine lines between the centres of 9 and 11.
+    const std::vector<float> alone = moved(9, 11);
+    for (int line = 9 * kFactor + kFactor / 2; line < 11 * kFactor + kFactor / 2; ++line)
+      for (int i = 0; i < 256; ++i) {
+        const int at = axis == Axis::kX ? line * 256 + i : i * 256 + line;
+        ASSERT_EQ(together[static_cast<std::size_t>(at)], alone[static_cast<std::size_t>(at)])
+            << line << ", " << i;
+      }
+  }
 }
 
 }  // namespace
