@@ -4,27 +4,20 @@
 #include <cstdint>
 
 #include "core/base/any_not_zero.h"
-#include "core/detail/flow/fine_edges.h"
 #include "core/detail/flow/fine_remap.h"
+#include "core/detail/flow/moving_parts.h"
 
 namespace pentimento {
 
 namespace {
 constexpr int kLinesPerTask = 16;
 
-/// Part of a line, between two edges of the guide that stand still, in which edges move.
-struct MovingPart {
-  int line = 0;              // among those that move together
-  int begin = 0, cells = 0;  // fine cells, counted from the run's first
-  FineSources sources;
-};
-
 /// Moves some lines of a run together, quantity by quantity, so that a tile's rows are read as they
 /// lie. The buffers are kept from call to call.
 class LineMover {
  public:
   LineMover(DetailCanvas& canvas, const PaintEdges& edges, const DetailAdvection& move)
-      : canvas_(canvas), edges_(edges), move_(move), k_(canvas.layout().factor()) {}
+      : canvas_(canvas), move_(move), moving_(canvas.layout(), edges) {}
 
   void begin(const TileRun& run) {
     run_ = &run;
@@ -35,18 +28,15 @@ class LineMover {
 
   void move(int line, int lines) {
     // The guide's motion along these lines, in parts; where nothing moves, paint stays.
+    moving_.find(*run_, line, lines);
     range_.line = line;
     range_.lines = lines;
-    parts_used_ = 0;
-    const int blocks = run_->length();
-    moves_.assign(at(blocks), 0);
-    for (int l = 0; l < lines; ++l)
-      if (find_edges(line + l)) find_parts(l);
     // Blocks side by side in which any of the lines moves: depth, then the channels of each layer.
-    for (int from = 0; from < blocks; ++from) {
-      if (moves_[at(from)] == 0) continue;
-      int to = from + 1;
-      while (to < blocks && moves_[at(to)] != 0) ++to;
+    const std::vector<std::uint8_t>& moves = moving_.moves();
+    for (std::size_t from = 0; from < moves.size(); ++from) {
+      if (moves[from] == 0) continue;
+      std::size_t to = from + 1;
+      while (to < moves.size() && moves[to] != 0) ++to;
       take_blocks(from, to);
       move_plane(WetPlane{});
       for (int layer = 0; layer < canvas_.layers(); ++layer) move_layer(layer);
@@ -55,49 +45,10 @@ class LineMover {
   }
 
  private:
-  /// Finds how far the guide's edges go along the line, between two rows of the guide. False if
-  /// none moves.
-  bool find_edges(int line) {
-    const float across = (static_cast<float>(line) + 0.5f) / static_cast<float>(k_) - 0.5f;
-    const int low = across < 0 ? -1 : static_cast<int>(across);
-    const int first = std::max(low, -before_run()), second = std::min(low + 1, behind_run() - 1);
-    read_edges(first, a_);
-    read_edges(second, b_);
-    blended_.resize(a_.size());
-    return blend_edges(a_, b_, across - static_cast<float>(low), blended_);
-  }
-
-  /// Finds the parts of a line that move. The edges at both ends of a part stand still, so the
-  /// parts of a line do not touch one another.
-  void find_parts(int line) {
-    const std::size_t blocks = at(run_->length());
-    for (std::size_t from = 0; from < blocks; ++from) {
-      if (blended_[from + 1] == 0) continue;
-      std::size_t to = from + 1;
-      while (to < blocks && (blended_[to] != 0 || blended_[to + 1] != 0)) ++to;
-      add_part(line, from, to);
-      std::fill(moves_.begin() + static_cast<std::ptrdiff_t>(from),
-                moves_.begin() + static_cast<std::ptrdiff_t>(to), std::uint8_t{1});
-      from = to;
-    }
-  }
-
-  /// Adds the blocks [from, to) of a line: where the fine edges go, and from which fine cells each
-  /// cell is then made.
-  void add_part(int line, std::size_t from, std::size_t to) {
-    if (parts_used_ == parts_.size()) parts_.emplace_back();
-    MovingPart& part = parts_[parts_used_++];
-    part.line = line;
-    part.begin = static_cast<int>(from) * k_;
-    part.cells = static_cast<int>(to - from) * k_;
-    position_.resize(at(part.cells) + 1);
-    place_edges(std::span(blended_).subspan(from, to - from + 1), k_, position_);
-    find_sources(position_, part.sources);
-  }
-
-  void take_blocks(int from, int to) {
-    range_.begin = from * k_;
-    range_.cells = (to - from) * k_;
+  void take_blocks(std::size_t from, std::size_t to) {
+    const int k = canvas_.layout().factor();
+    range_.begin = static_cast<int>(from) * k;
+    range_.cells = static_cast<int>(to - from) * k;
     const std::size_t values = at(range_.lines) * at(stride());
     value_.resize(values);
     share_.resize(values);
@@ -108,27 +59,6 @@ class LineMover {
   /// From line to line in the buffers, with a cell before and one behind each.
   int stride() const { return range_.cells + 2; }
 
-  /// How many rows the guide has before the run's first row, and how many from that row on: edges
-  /// are read beyond the run.
-  int before_run() const { return run_->axis == Axis::kX ? run_->box.y0 : run_->box.x0; }
-  int behind_run() const {
-    const CanvasGeometry& g = canvas_.layout().guide();
-    return (run_->axis == Axis::kX ? g.height : g.width) - before_run();
-  }
-
-  void read_edges(int across, std::vector<float>& out) const {
-    const std::size_t blocks = at(run_->length());
-    out.assign(blocks + 1, 0.0f);
-    if (run_->axis == Axis::kX) {
-      const float* row = edges_.x[0].row(run_->box.y0 + across) + run_->box.x0;
-      std::copy_n(row, blocks - 1, out.begin() + 1);
-    } else {
-      const Field<float>& plane = edges_.y[0];
-      for (std::size_t i = 0; i + 1 < blocks; ++i)
-        out[i + 1] = plane(run_->box.x0 + across, run_->box.y0 + static_cast<int>(i));
-    }
-  }
-
   void load(const WetPlane& q) {
     load_lines(canvas_, *run_, q, range_, {value_.data() + 1, stride()});
   }
@@ -137,8 +67,7 @@ class LineMover {
   void move_plane(const WetPlane& q, bool holds_residue = false) {
     load(q);
     bool moved = false;
-    for (std::size_t i = 0; i < parts_used_; ++i) {
-      const MovingPart& part = parts_[i];
+    for (const MovingPart& part : moving_.parts()) {
       const bool inside = part.begin >= range_.begin && part.begin < range_.begin + range_.cells;
       if (inside && move_part(part, holds_residue)) moved = true;
     }
@@ -198,16 +127,11 @@ class LineMover {
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
   DetailCanvas& canvas_;
-  const PaintEdges& edges_;
   const DetailAdvection& move_;
-  int k_;
   const TileRun* run_ = nullptr;
-  std::vector<bool> present_;        // depth, then every pigment plane
-  LineRange range_;                  // what is moved now
-  std::vector<std::uint8_t> moves_;  // per block along the run
-  std::vector<MovingPart> parts_;    // by lines, then along them
-  std::size_t parts_used_ = 0;
-  std::vector<float> a_, b_, blended_, position_;
+  std::vector<bool> present_;  // depth, then every pigment plane
+  MovingParts moving_;
+  LineRange range_;                   // what is moved now
   std::vector<float> value_, share_;  // line after line
   std::vector<float> held_, out_, scratch_;
 };
