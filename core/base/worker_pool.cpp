@@ -5,16 +5,13 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <csignal>
 #include <utility>
 
-#include "core/base/float_environment.h"
+#include "core/base/plain_thread.h"
 
 namespace pentimento {
 
 namespace {
-// A worker's stack does not follow `ulimit -s`, which may be too small for any work.
-constexpr std::size_t kStackBytes = std::size_t{4} << 20;
 // Ranges for each thread: enough that one that is held up does not hold up the loop.
 constexpr std::int64_t kPiecesPerThread = 8;
 // How often a worker offers its core before it sleeps, for some 0.3 ms: loops of a step follow one
@@ -36,20 +33,11 @@ std::uint32_t loop_of(std::uint32_t state) {
 WorkerPool::WorkerPool(int wanted) : process_(::getpid()) {
   const int count = std::clamp(wanted, 0, kMostWorkers);
   threads_.reserve(static_cast<std::size_t>(count));
-  pthread_attr_t attributes;
-  if (pthread_attr_init(&attributes) != 0) return;
-  pthread_attr_setstacksize(&attributes, kStackBytes);
-  // Signals are for the thread that waits for something.
-  sigset_t all, before;
-  sigfillset(&all);
-  pthread_sigmask(SIG_SETMASK, &all, &before);
   for (int i = 0; i < count; ++i) {
-    pthread_t thread{};
-    if (pthread_create(&thread, &attributes, work_for, this) != 0) break;
-    threads_.push_back(thread);
+    const auto thread = start_plain_thread([this] { work(); });
+    if (!thread) break;
+    threads_.push_back(*thread);
   }
-  pthread_sigmask(SIG_SETMASK, &before, nullptr);
-  pthread_attr_destroy(&attributes);
 }
 
 WorkerPool::~WorkerPool() {
@@ -57,12 +45,6 @@ WorkerPool::~WorkerPool() {
   ending_.store(true);
   open_loop();
   for (const pthread_t thread : threads_) pthread_join(thread, nullptr);
-}
-
-void* WorkerPool::work_for(void* pool) {
-  set_plain_arithmetic();
-  static_cast<WorkerPool*>(pool)->work();
-  return nullptr;
 }
 
 void WorkerPool::work() {

@@ -29,7 +29,6 @@ class WorkerPool {
   void share(int begin, int end, int grain_size, const std::function<void(int, int)>& body);
 
  private:
-  static void* work_for(void* pool);
   void work();
   bool enter(std::uint32_t& seen);
   void leave();

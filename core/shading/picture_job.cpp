@@ -6,6 +6,7 @@
 #include "core/shading/horizon.h"
 #include "core/shading/lamp_uniforms.h"
 #include "core/shading/state_window.h"
+#include "core/shading/strip_writer.h"
 
 namespace pentimento {
 namespace {
@@ -142,43 +143,6 @@ std::optional<GlTexture> gloss_texture(const GlFunctions& gl, const GlossTable* 
   return texture;
 }
 
-/// Rows of every plane as wide as the picture, filled tile by tile.
-class StripBuffer {
- public:
-  StripBuffer(const std::vector<PlaneSource>& planes, const ShadeVariant& variant, int width,
-              int rows)
-      : planes_(planes), variant_(variant) {
-    for (std::size_t i = 0; i < planes.size(); ++i) fields_.emplace_back(width, rows);
-  }
-
-  /// Copies the planes that target `index` holds out of its RGBA texels.
-  void take(int index, int x0, int width, int rows, const std::vector<float>& texels) {
-    for (std::size_t i = 0; i < planes_.size(); ++i) {
-      const PlaneSource& plane = planes_[i];
-      if (variant_.target[static_cast<std::size_t>(plane.kind)] + plane.part != index) continue;
-      const float* in = texels.data() + plane.component;
-      for (int y = 0; y < rows; ++y) {
-        float* out = fields_[i].row(y) + x0;
-        for (int x = 0; x < width; ++x, in += 4) out[x] = *in;
-      }
-    }
-  }
-
-  PictureStrip strip(int y0, int rows) const {
-    PictureStrip strip{y0, rows, {}, {}};
-    for (std::size_t i = 0; i < planes_.size(); ++i) {
-      strip.name.push_back(planes_[i].name);
-      strip.plane.push_back(fields_[i].view().window(0, 0, fields_[i].width(), rows));
-    }
-    return strip;
-  }
-
- private:
-  const std::vector<PlaneSource>& planes_;
-  const ShadeVariant& variant_;
-  std::vector<Field<float>> fields_;
-};
-
 }  // namespace
 
 PictureLayout lay_out(const ShadeScene& scene, const ShadeRequest& request,
@@ -233,7 +197,8 @@ Result<void> shade_picture(const ShadeTools& tools, const ShadeScene& scene,
 
   const int left = tiles.columns.front().first, top = tiles.rows.front().first;
   const int width = tiles.columns.back().first + tiles.columns.back().count - left;
-  StripBuffer buffer(planes, layout.variant, width, tiles.height);
+  StripWriter writer({planes, layout.variant}, width, tiles.height, sinks,
+                     tools.threads.count() > 1);
   std::vector<float> texels(4 * static_cast<std::size_t>(tiles.width) *
                             static_cast<std::size_t>(tiles.height));
   // Tile by tile: upload the cells, draw, read the targets; a row of tiles makes a strip.
@@ -252,17 +217,14 @@ Result<void> shade_picture(const ShadeTools& tools, const ShadeScene& scene,
       targets.draw(column.count, row.count);
       for (int t = 0; t < layout.variant.targets; ++t) {
         targets.read(t, column.count, row.count, texels.data());
-        buffer.take(t, column.first - left, column.count, row.count, texels);
+        writer.take(t, {column.first - left, column.count}, row.count, texels);
       }
     }
     if (gl.GetError() != GL_NO_ERROR) return out_of_memory();
-    // The finished strip goes to every output.
-    const PictureStrip strip = buffer.strip(row.first - top, row.count);
-    for (PictureSink* sink : sinks) {
-      if (auto written = sink->write(strip); !written) return written;
-    }
+    // The finished strip goes to every output, while the next is drawn.
+    if (auto written = writer.hand_on(row.first - top, row.count); !written) return written;
   }
-  return {};
+  return writer.finish();
 }
 
 }  // namespace pentimento

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "core/base/plane_memory.h"
+#include "core/base/thread_count.h"
 #include "core/shading/light_lock.h"
 #include "replay/output/output_plan.h"
 #include "replay/output/output_set.h"
@@ -86,8 +87,9 @@ std::int64_t light_lock_bytes(const LogSession& session, const OutputSize& size,
 
 /// Shading in tiles: a tile's part of the canvas as it is packed and as textures, its targets, and
 /// the strips on their way into files.
-std::int64_t shading_bytes(const LogSession& session, const PictureChoice& choice,
-                           const OutputSize& size, std::int64_t planes) {
+std::int64_t shading_bytes(const LogSession& session, const RenderJob& job, const OutputSize& size,
+                           std::int64_t planes) {
+  const PictureChoice& choice = job.picture;
   const std::int64_t across = std::min<std::int64_t>(choice.tile, size.width);
   const std::int64_t down = std::min<std::int64_t>(choice.tile, size.height);
   const std::int64_t cells = std::int64_t{session.grid.width} * session.detail;
@@ -96,7 +98,9 @@ std::int64_t shading_bytes(const LogSession& session, const PictureChoice& choic
   const auto window =
       static_cast<std::int64_t>(static_cast<double>(across * down) * cells_a_pixel * cells_a_pixel);
   const std::int64_t strip = std::int64_t{size.width} * down * planes;
-  return kShader + window * 16 * (texels + 1) + across * down * 16 * 2 + strip * (4 + 3) +
+  // While a strip is written, several threads draw the next.
+  const std::int64_t strips = wanted_threads(job.threads) > 1 ? 2 : 1;
+  return kShader + window * 16 * (texels + 1) + across * down * 16 * 2 + strip * (4 * strips + 3) +
          light_lock_bytes(session, size, planes);
 }
 
@@ -123,7 +127,7 @@ Writing writing_needs(const RenderJob& job, const LogSession& session,
     const std::int64_t planes = picture_planes(output.kind, job.picture, session.basis);
     needs.pictures +=
         std::int64_t{size.width} * size.height * planes * sample_bytes(output.kind, job.picture);
-    shading = std::max(shading, shading_bytes(session, job.picture, size, planes));
+    shading = std::max(shading, shading_bytes(session, job, size, planes));
   }
   // One after the other. Mesa stays, which matters beside a file in memory.
   if (session.detail == 1 && shading > 0 && dumping > 0) dumping += kShader;

@@ -147,6 +147,7 @@ TEST(MemoryEstimate, ADumpIsHeldTwiceAndOfAFinerCanvasOnlyTheGuideIs) {
 TEST(MemoryEstimate, APictureIsShadedInTiles) {
   Estimated picture({"a.png"});
   picture.job.picture.tile = 64;
+  picture.job.threads = 1;
   // Of a pixel: four texels and the packed one, two targets, each 16 bytes; strips of 64 rows in
   // float and on their way into the file.
   const std::int64_t shading = kShader + 64 * 64 * 16 * (5 + 2) + 400 * 64 * 3 * 7;
@@ -154,6 +155,9 @@ TEST(MemoryEstimate, APictureIsShadedInTiles) {
   picture.job.size.width = 100;  // four cells a pixel, of which two are packed
   const std::int64_t reduced = kShader + 64 * 64 * 16 * (5 * 4 + 2) + 100 * 64 * 3 * 7;
   EXPECT_EQ(picture.memory(), memory_without_outputs() + reduced);
+  // Of several threads one writes a strip while the others draw the next.
+  picture.job.threads = 2;
+  EXPECT_EQ(picture.memory(), memory_without_outputs() + reduced + 100 * 64 * 3 * 4);
   // A dump after it: Mesa stays.
   picture.job.picture.outputs.push_back(picture.folder.path("a.h5"));
   picture.job.picture.tile = 16;
