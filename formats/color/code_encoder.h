@@ -27,13 +27,16 @@ class CodeEncoder {
     const std::uint32_t bucket = (bits - kFirstBits) >> kBucketShift;
     const std::uint32_t within = bits & ((1u << kBucketShift) - 1);
     const std::uint32_t width = start_[bucket + 1] - start_[bucket];
-    std::uint32_t code = start_[bucket] + ((width * (within >> 4)) >> (kBucketShift - 4));
+    std::uint32_t code =
+        (start_[bucket] + ((width * (within >> 4)) >> (kBucketShift - 4))) >> kPartShift;
     code += v >= threshold_[code + 1] ? 1u : 0u;
     code -= v < threshold_[code] ? 1u : 0u;
     while (v >= threshold_[code + 1]) ++code;
     while (v < threshold_[code]) --code;
     return static_cast<int>(code);
   }
+  /// The same for `n` values of a row, by vectors.
+  void encode_row(const float* v, int n, int* code) const;
 
  private:
   // A bucket is a range of floats with equal upper bits: 128 per octave, from 2^-38 to 1. Below
@@ -41,10 +44,13 @@ class CodeEncoder {
   static constexpr int kBucketShift = 16;
   static constexpr std::uint32_t kFirstBits = (127u - 38u) << 23;
   static constexpr std::uint32_t kOneBits = 127u << 23;
+  static constexpr int kPartShift = 8;  // a code has 256 parts
 
   int max_code_;
-  std::vector<float> threshold_;      // [c]: the smallest float that becomes code c
-  std::vector<std::uint32_t> start_;  // per bucket of float bits: code of its smallest value
+  std::vector<float> threshold_;  // [c]: the smallest float that becomes code c
+  // Per bucket of float bits: where its smallest value lies between the edges of codes, in parts of
+  // a code.
+  std::vector<std::uint32_t> start_;
 };
 
 }  // namespace pentimento

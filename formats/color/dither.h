@@ -4,6 +4,7 @@
 // do not change it.
 
 #include <cstdint>
+#include <span>
 
 #include "core/base/random.h"
 
@@ -34,5 +35,8 @@ inline int dithered_code(int code16, int x, int y, int channel) {
   const int noise = at_an_end ? here - kHalf : here - dither_uniform(x - 1, y, channel);
   return (code16 + noise + kHalf) / kStepsPerCode;
 }
+
+/// dithered_code() of the channel's codes in the pixels (x ..., y) of a row, in place, by vectors.
+void dither_row(int x, int y, int channel, std::span<int> code);
 
 }  // namespace pentimento

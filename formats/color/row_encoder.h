@@ -34,6 +34,7 @@ class RowEncoder {
 
  private:
   LinearRgb in_profile(const LinearRgb& light) const;
+  bool encode_part(const RgbRow& light, int n, int x, int y, std::uint8_t* out) const;
 
   ColorEncoding encoding_;
   bool wide_;      // 16 bit

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace pentimento {
 namespace {
@@ -44,6 +46,28 @@ TEST_P(CodeEncoderOf, ClampsWhatLiesOutside) {
   EXPECT_EQ(encoder.encode(static_cast<float>(light(0.51 / 65535))), 1);
   EXPECT_EQ(encoder.encode(1.0f), 65535);
   EXPECT_EQ(encoder.encode(INFINITY), 65535);
+}
+
+TEST_P(CodeEncoderOf, ARowIsEncodedAsItsValuesAre) {
+  for (const int max : {255, 65535}) {
+    const CodeEncoder encoder(GetParam(), max);
+    // Both sides of every edge between codes, the ends, and what lies beyond them.
+    std::vector<float> values = {-1,     -0.0f, 0,    1e-42f,   1e-30f,
+                                 1e-12f, 1,     1.5f, INFINITY, -INFINITY};
+    for (int c = 0; c < max; ++c) {
+      const auto edge = static_cast<float>(light((c + 0.5) / max));
+      for (const float v : {std::nextafter(edge, 0.0f), edge, std::nextafter(edge, 2.0f)})
+        values.push_back(v);
+    }
+    for (const std::size_t together : {1U, 3U, 64U, 1000U})
+      for (std::size_t i = 0; i < values.size(); i += together) {
+        const std::size_t n = std::min(together, values.size() - i);
+        std::vector<int> code(n);
+        encoder.encode_row(&values[i], static_cast<int>(n), code.data());
+        for (std::size_t k = 0; k < n; ++k)
+          ASSERT_EQ(code[k], encoder.encode(values[i + k])) << values[i + k];
+      }
+  }
 }
 
 }  // namespace

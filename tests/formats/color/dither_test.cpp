@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 namespace pentimento {
 namespace {
@@ -82,6 +83,22 @@ TEST(Dither, ChannelsAreIndependent) {
       product += (dither_uniform(x, y, 0) - 128.0) * (dither_uniform(x, y, 1) - 128.0) / kPixels;
   // In units of the variance, 257^2 / 12 = 5504: five deviations of the mean of 65536 products.
   EXPECT_NEAR(product / 5504, 0, 5.0 / kSide);
+}
+
+TEST(Dither, ARowIsDitheredAsItsPixelsAre) {
+  for (const int x : {0, -3, 1, 40000})
+    for (int channel = 0; channel < 3; ++channel)
+      for (const int n : {1, 63, 64, 65, 700}) {
+        // Codes of all sizes, and close to both ends, where the noise is another.
+        std::vector<int> code, expected;
+        for (int i = 0; i < n; ++i) {
+          const int end = i % 300 < 150 ? 0 : 65535 - 300;
+          code.push_back(i % 2 == 0 ? (i * 9973) % 65536 : end + i % 150);
+          expected.push_back(dithered_code(code.back(), x + i, 12, channel));
+        }
+        dither_row(x, 12, channel, code);
+        ASSERT_EQ(code, expected) << x << ' ' << channel << ' ' << n;
+      }
 }
 
 }  // namespace
