@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "core/shading/cell_slopes.h"
 #include "core/shading/horizon.h"
 #include "core/shading/lamp_uniforms.h"
 #include "core/shading/state_window.h"
@@ -28,11 +29,17 @@ class TileTextures {
         width_(layout.x.most_cells(layout.tiles.width)),
         height_(layout.y.most_cells(layout.tiles.height)),
         border_(layout.border),
-        columns_(gl, TexelFormat::kRg, layout.tiles.width * layout.x.per_pixel, 1),
-        rows_(gl, TexelFormat::kRg, layout.tiles.height * layout.y.per_pixel, 1),
+        per_cell_(relief_per_cell(scene.lighting, scene.canvas.geometry())),
         ground_(gl, TexelFormat::kRgba, width_, height_),
-        relief_(gl, TexelFormat::kRg, width_ + 2 * border_, height_ + 2 * border_),
         amount_planes_(layout.variant.amount_planes()) {
+    if (layout.variant.interpolate) {
+      columns_.emplace(gl, TexelFormat::kRg, layout.tiles.width * layout.x.per_pixel, 1);
+      rows_.emplace(gl, TexelFormat::kRg, layout.tiles.height * layout.y.per_pixel, 1);
+    }
+    if (layout.variant.slopes_ready())
+      slopes_.emplace(gl, TexelFormat::kRgba, width_, height_);
+    else
+      relief_.emplace(gl, TexelFormat::kRg, width_ + 2 * border_, height_ + 2 * border_);
     if (amount_planes_ > 0)
       amounts_.emplace(gl, TexelFormat::kRgba, width_, height_, amount_planes_);
   }
@@ -41,8 +48,8 @@ class TileTextures {
   /// relief's border.
   CellWindow upload(const AxisWindow& x, const AxisWindow& y) {
     // Which cells each column and row of samples reads.
-    columns_.upload(static_cast<int>(x.table.size() / 2), 1, x.table.data());
-    rows_.upload(static_cast<int>(y.table.size() / 2), 1, y.table.data());
+    if (columns_) columns_->upload(static_cast<int>(x.table.size() / 2), 1, x.table.data());
+    if (rows_) rows_->upload(static_cast<int>(y.table.size() / 2), 1, y.table.data());
     // Albedo of the paint.
     const CellWindow window{x.first_cell, y.first_cell, x.cells, y.cells};
     pack_albedo(canvas_, optics_, edges_, window, threads_, texels_);
@@ -51,7 +58,11 @@ class TileTextures {
     const CellWindow wider{window.x - border_, window.y - border_, window.width + 2 * border_,
                            window.height + 2 * border_};
     pack_relief(canvas_, wider, threads_, relief_texels_);
-    relief_.upload(wider.width, wider.height, relief_texels_.data());
+    if (relief_) relief_->upload(wider.width, wider.height, relief_texels_.data());
+    if (slopes_) {
+      pack_slopes({relief_texels_, window, border_}, per_cell_, threads_, texels_);
+      slopes_->upload(window.width, window.height, texels_.data());
+    }
     // Amounts of the pigments, where an AOV asks for them.
     for (int plane = 0; plane < amount_planes_; ++plane) {
       pack_amounts(canvas_, plane, window, threads_, texels_);
@@ -64,10 +75,11 @@ class TileTextures {
   const std::vector<float>& relief_texels() const { return relief_texels_; }
 
   void bind() const {
-    columns_.bind(kColumns);
-    rows_.bind(kRows);
     ground_.bind(kGround);
-    relief_.bind(kRelief);
+    if (columns_) columns_->bind(kColumns);
+    if (rows_) rows_->bind(kRows);
+    if (relief_) relief_->bind(kRelief);
+    if (slopes_) slopes_->bind(kSlopes);
     if (amounts_) amounts_->bind(kAmounts);
   }
 
@@ -79,7 +91,10 @@ class TileTextures {
   int width_;
   int height_;
   int border_;
-  GlTexture columns_, rows_, ground_, relief_;
+  std::array<float, 2> per_cell_;
+  GlTexture ground_;
+  std::optional<GlTexture> columns_, rows_;   // where samples lie between cells
+  std::optional<GlTexture> relief_, slopes_;  // one of the two
   int amount_planes_;
   std::optional<GlTexture> amounts_;  // for the pigments' AOVs
   std::vector<float> texels_, relief_texels_;
@@ -165,7 +180,7 @@ PictureLayout lay_out(const ShadeScene& scene, const ShadeRequest& request,
   variant.probe = !scene.lighting.probe[0].empty();
   variant.lamps = static_cast<int>(shining(scene.lighting).size());
   variant.occlusion = scene.lighting.occlusion > 0;
-  if (variant.occlusion) out.border = horizon_border(grid);
+  out.border = variant.occlusion ? horizon_border(grid) : variant.slopes_ready() ? 1 : 0;
   // Which target each plane is drawn to, and how the picture is cut into tiles.
   assign_targets(planes, variant);
   out.tiles = plan_tiles({out.x, out.y, crop_run(request.crop_x, request.crop_width, request.width),

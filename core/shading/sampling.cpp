@@ -7,7 +7,6 @@
 namespace pentimento {
 namespace {
 
-constexpr int kCellsBefore = 2;
 constexpr int kCellsAfter = 2;
 
 /// Position of a sample in cells; whole numbers are centres of cells.

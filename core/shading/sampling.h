@@ -27,6 +27,9 @@ struct AxisWindow {
   int cells = 0;
   std::vector<float> table;  // per sample: cell before it, counted from first_cell; fraction onward
 };
+/// Cells of a window before its first sample's own. So where samples lie on cells, sample s of a
+/// run has the window's cell kCellsBefore + s.
+inline constexpr int kCellsBefore = 2;
 
 /// Cubic interpolation between cells needs one cell before and two after each sample's own; slopes
 /// within a cell need two before it.

@@ -6,6 +6,7 @@
 #include "core/optics/microfacet.h"
 #include "core/optics/tone.h"
 #include "core/shading/lamp_uniforms.h"
+#include "core/shading/sampling.h"
 #include "core/shading/shader_source.h"
 
 namespace pentimento {
@@ -54,6 +55,7 @@ std::string ShadeVariant::defines() const {
                      define("INTERPOLATE", interpolate) + define("RELIEF_SAMPLES", relief_samples) +
                      define("REFLECTION_MAP", reflection_map) + define("PROBE", probe) +
                      define("GLOSS_LEVELS", GlossTable::kLevels) + define("LAMPS", lamps) +
+                     define("SLOPES_READY", slopes_ready()) + define("CELLS_BEFORE", kCellsBefore) +
                      define("OCCLUSION_PLANES", occlusion_planes());
   for (std::size_t i = 1; i < target.size(); ++i) {
     if (target[i] >= 0) text += define(kTargetDefine[i], target[i]);
@@ -82,17 +84,23 @@ Result<GlProgram> link_shade_program(const GlFunctions& gl, const ShadeVariant& 
                          fragment);
 }
 
+std::array<float, 2> relief_per_cell(const Lighting& lighting, const CanvasGeometry& grid) {
+  return {lighting.relief_scale / grid.dx_m(), lighting.relief_scale / grid.dy_m()};
+}
+
 void set_shade_uniforms(const GlProgram& program, const ShadeParameters& p) {
-  const std::pair<const char*, ShadeUnit> samplers[] = {
-      {"columns", kColumns},      {"rows", kRows},
-      {"ground", kGround},        {"relief", kRelief},
-      {"amounts", kAmounts},      {"reflection_map", kReflectionMap},
-      {"seen_first", kSeenFirst}, {"seen_second", kSeenSecond},
-      {"gloss_table", kGloss}};
+  const std::pair<const char*, ShadeUnit> samplers[] = {{"columns", kColumns},
+                                                        {"rows", kRows},
+                                                        {"ground", kGround},
+                                                        {"relief", kRelief},
+                                                        {"slopes", kSlopes},
+                                                        {"amounts", kAmounts},
+                                                        {"reflection_map", kReflectionMap},
+                                                        {"seen_first", kSeenFirst},
+                                                        {"seen_second", kSeenSecond},
+                                                        {"gloss_table", kGloss}};
   for (const auto& [name, unit] : samplers) program.set(name, static_cast<int>(unit));
-  const std::array<float, 2> relief_per_cell = {p.lighting.relief_scale / p.grid.dx_m(),
-                                                p.lighting.relief_scale / p.grid.dy_m()};
-  program.set_vec2("relief_per_cell", relief_per_cell.data());
+  program.set_vec2("relief_per_cell", relief_per_cell(p.lighting, p.grid).data());
   program.set("relief_border", p.relief_border);
   set_lamp_uniforms(program, p.grid, p.lighting);
   set_light(program, p.lighting);

@@ -27,6 +27,8 @@ struct ShadeVariant {
   std::array<int, 7> target = {0, -1, -1, -1, -1, -1, -1};
   int targets = 1;
 
+  /// Whether the slopes are found before, cell by cell (cell_slopes.h).
+  bool slopes_ready() const { return !interpolate && relief_samples == 1; }
   /// RGBA texels of what the relief leaves of sky and lamps.
   int occlusion_planes() const { return occlusion ? horizon_planes(lamps) : 0; }
   /// RGBA texels of the channels.
@@ -46,6 +48,7 @@ enum ShadeUnit {
   kRows,
   kGround,
   kRelief,
+  kSlopes,
   kAmounts,
   kReflectionMap,
   kSeenFirst,
@@ -56,6 +59,10 @@ enum ShadeUnit {
 inline constexpr const char* kGlslVersion = "#version 330 core\n";
 
 Result<GlProgram> link_shade_program(const GlFunctions& gl, const ShadeVariant& variant);
+
+/// Relief scale over the cell's sizes, 1/m: what a difference of heights between cells is
+/// multiplied by.
+std::array<float, 2> relief_per_cell(const Lighting& lighting, const CanvasGeometry& grid);
 
 /// What the uniforms of a picture are set from.
 struct ShadeParameters {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/base/approx.h"
+#include "core/base/kernel.h"
 #include "core/base/random.h"
 
 namespace pentimento {
@@ -12,6 +13,24 @@ namespace {
 constexpr double kPi = 3.14159265358979323846;
 constexpr int kMeanSamples = 16;
 
+/// Along a row: what its cells have of their columns' profiles.
+struct WeaveColumns {
+  const double* body;
+  const double* sway;
+  const double* wave;
+};
+
+/// `body`, `sway`, `wave`: the row's own profile.
+PENTIMENTO_KERNEL
+void weave_row(const WeaveColumns& columns, double body, double sway, double wave, int n,
+               float* __restrict out) {
+  const WeaveColumns u = columns;
+  for (int i = 0; i < n; ++i) {
+    const double warp = u.body[i] + u.sway[i] * wave;
+    const double weft = body - sway * u.wave[i];
+    out[i] = static_cast<float>(std::clamp((warp + weft) / 2, 0.0, 1.0));
+  }
+}
 }  // namespace
 
 Weave::Profile Weave::profile_at(const WeaveShape& shape, Side side, double u) {
@@ -26,19 +45,22 @@ Weave::Profile Weave::profile_at(const WeaveShape& shape, Side side, double u) {
   return {thickness * s * s, sign * thickness * s * s, sign * s};
 }
 
-std::vector<Weave::Profile> Weave::cell_means(const WeaveShape& shape, Side side, int cells,
-                                              double cells_per_repeat) {
+Weave::CellMeans Weave::cell_means(const WeaveShape& shape, Side side, int cells,
+                                   double cells_per_repeat) {
   const double threads_per_cell = shape.threads / cells_per_repeat;
   const int samples = kMeanSamples * (1 + static_cast<int>(std::min(threads_per_cell, 1e4)));
-  std::vector<Profile> means(static_cast<std::size_t>(cells));
+  CellMeans means;
   for (int i = 0; i < cells; ++i) {
-    Profile& mean = means[static_cast<std::size_t>(i)];
+    Profile mean;
     for (int k = 0; k < samples; ++k) {
       const Profile p = profile_at(shape, side, (i + (k + 0.5) / samples) / cells_per_repeat);
       mean.body += p.body / samples;
       mean.sway += p.sway / samples;
       mean.wave += p.wave / samples;
     }
+    means.body.push_back(mean.body);
+    means.sway.push_back(mean.sway);
+    means.wave.push_back(mean.wave);
   }
   return means;
 }
@@ -47,13 +69,9 @@ Weave::Weave(const WeaveShape& shape, const RepeatGrid& grid)
       rows_(cell_means(shape, Side::kWeft, grid.height, grid.cells_per_repeat_y)) {}
 
 void Weave::row(int x, int y, std::span<float> out) const {
-  const Profile& v = rows_[static_cast<std::size_t>(y)];
-  for (std::size_t i = 0; i < out.size(); ++i) {
-    const Profile& u = columns_[static_cast<std::size_t>(x) + i];
-    const double warp = u.body + u.sway * v.wave;
-    const double weft = v.body - v.sway * u.wave;
-    out[i] = static_cast<float>(std::clamp((warp + weft) / 2, 0.0, 1.0));
-  }
+  const auto j = static_cast<std::size_t>(y);
+  weave_row({columns_.body.data() + x, columns_.sway.data() + x, columns_.wave.data() + x},
+            rows_.body[j], rows_.sway[j], rows_.wave[j], static_cast<int>(out.size()), out.data());
 }
 
 }  // namespace pentimento

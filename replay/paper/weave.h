@@ -39,9 +39,13 @@ class Weave {
   };
   enum class Side { kWarp, kWeft };
   static Profile profile_at(const WeaveShape& shape, Side side, double u);
-  static std::vector<Profile> cell_means(const WeaveShape& shape, Side side, int cells,
-                                         double cells_per_repeat);
-  std::vector<Profile> columns_, rows_;  // mean profile of each cell along an axis
+  /// Mean profile of each cell along an axis, number by number.
+  struct CellMeans {
+    std::vector<double> body, sway, wave;
+  };
+  static CellMeans cell_means(const WeaveShape& shape, Side side, int cells,
+                              double cells_per_repeat);
+  CellMeans columns_, rows_;
 };
 
 }  // namespace pentimento

@@ -29,14 +29,16 @@ struct Pixel {
 
 class ShadingReference {
  public:
+  /// `slopes`: as ShadeRequest::relief_samples.
   ShadingReference(const CanvasState& state, const ChannelBasis& basis, const Model& model,
-                   const Lighting& lighting, int width, int height)
+                   const Lighting& lighting, int width, int height, int slopes = 2)
       : s_(state),
         basis_(basis),
         model_(model),
         light_(lighting),
         width_(width),
         height_(height),
+        slopes_(slopes),
         horizon_(state, lighting),
         coverage_(state) {}
 
@@ -245,7 +247,7 @@ class ShadingReference {
     p.wet = covered(p.depth);
     const double paint = covered(p.depth + bilinear(s_.base_m, u, v) - bilinear(s_.paper_m, u, v));
     const auto off_centre = [](double at) { return std::abs(at - std::round(at)) > 1e-6; };
-    if (off_centre(u) || off_centre(v)) {
+    if (slopes_ == 1 || off_centre(u) || off_centre(v)) {
       light_up(p, paint, u, v);
       return p;
     }
@@ -357,6 +359,7 @@ class ShadingReference {
   const Lighting& light_;
   int width_;
   int height_;
+  int slopes_;
   HorizonReference horizon_;
   EdgeCoverage coverage_;
 };

@@ -58,6 +58,8 @@ class DetailCanvas {
   const Result<void>& problem() const { return problem_; }
   /// Notes that all planes of the tile are in use now.
   void mark_used(int tile) const;
+  /// Whether there is memory that trim() gives back.
+  bool gives_back() const { return store_.gives_back(); }
   /// Gives back memory that was not used lately (TileStore::trim()).
   void trim() const { store_.trim(); }
 

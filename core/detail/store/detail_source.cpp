@@ -97,6 +97,14 @@ void DetailSource::read(PlaneId plane, int x, int y, std::span<float> out) const
   }
 }
 
+/// Only a store that gives tiles back is trimmed, so only there do readers and the one that trims
+/// wait for one another.
+std::shared_lock<std::shared_mutex> DetailSource::begin_reading() const {
+  if (!canvas_.gives_back()) return {};
+  release();
+  return std::shared_lock<std::shared_mutex>(mutex_);
+}
+
 void DetailSource::release() const {
   constexpr std::uint32_t kReadsBetweenTrims = 8192;
   if (++reads_ % kReadsBetweenTrims != 0) return;
@@ -105,8 +113,7 @@ void DetailSource::release() const {
 }
 
 void DetailSource::read_tiles(PlaneId plane, int x, int y, std::span<float> out) const {
-  release();
-  const std::shared_lock<std::shared_mutex> together(mutex_);
+  const std::shared_lock<std::shared_mutex> together = begin_reading();
   const DetailLayout& layout = canvas_.layout();
   const int side = layout.side();
   for (int done = 0; done < static_cast<int>(out.size());) {

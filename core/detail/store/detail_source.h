@@ -2,6 +2,7 @@
 // The detail canvas as a CanvasSource, to be shaded, dumped and compared.
 
 #include <atomic>
+#include <mutex>
 #include <shared_mutex>
 
 #include "core/canvas/canvas_source.h"
@@ -26,6 +27,7 @@ class DetailSource final : public CanvasSource {
   bool empty(const CellWindow& window) const override;
 
  private:
+  std::shared_lock<std::shared_mutex> begin_reading() const;
   void release() const;
   void read_tiles(PlaneId plane, int x, int y, std::span<float> out) const;
   void read_velocity(PlaneKind kind, int x, int y, std::span<float> out) const;

@@ -1,9 +1,15 @@
 // The state at a sample: which cells it lies between (tables, so that every tile computes with the
 // same numbers), bilinear colours, and the relief by cubic interpolation (A38).
+#if INTERPOLATE
 uniform sampler2D columns;        // per sample column: cell left of it, fraction of the way right
 uniform sampler2D rows;           // per sample row: cell above it, fraction of the way down
+#endif
 uniform sampler2D ground;         // colour of all paint, depth of wet paint (m)
+#if SLOPES_READY
+uniform sampler2D slopes;         // height (m), thickness of all paint (m), slopes as in Relief
+#else
 uniform sampler2D relief;         // height (m), thickness of all paint, dry and wet (m)
+#endif
 #ifdef PIGMENT_TARGET
 uniform sampler2DArray amounts;   // four channels a texel, of all layers together
 #endif
@@ -15,13 +21,21 @@ struct Place {
   vec2 fraction;
 };
 
+#if INTERPOLATE
 Place place_at(ivec2 sample_index) {
   vec2 column = texelFetch(columns, ivec2(sample_index.x, 0), 0).rg;
   vec2 row = texelFetch(rows, ivec2(sample_index.y, 0), 0).rg;
   return Place(ivec2(int(column.r), int(row.r)), vec2(column.g, row.g));
 }
+#else
+Place place_at(ivec2 sample_index) { return Place(sample_index + CELLS_BEFORE, vec2(0.0)); }
+#endif
 
+#if SLOPES_READY
+vec2 relief_of(ivec2 cell) { return texelFetch(slopes, cell, 0).rg; }
+#else
 vec2 relief_of(ivec2 cell) { return texelFetch(relief, cell + relief_border, 0).rg; }
+#endif
 
 #if INTERPOLATE
 vec4 between(vec4 a, vec4 b, vec4 c, vec4 d, vec2 f) {
@@ -86,6 +100,11 @@ Relief relief_at(Place p) {
   }
   r.slope *= relief_per_cell;
   return r;
+}
+#elif SLOPES_READY
+Relief relief_at(Place p) {
+  vec4 cell = texelFetch(slopes, p.cell, 0);
+  return Relief(cell.r, cell.ba);
 }
 #else
 Relief relief_at(Place p) {

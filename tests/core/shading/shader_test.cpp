@@ -50,9 +50,10 @@ const std::vector<std::string> kAllAovs = {"albedo",   "normal",     "height", "
                                            "specular", "reflection", "wet",    "pigment"};
 
 /// Largest difference between the shader and its twin, over colours and light.
-double difference_to_reference(const Scene& scene, const WholePicture& picture, int height) {
+double difference_to_reference(const Scene& scene, const WholePicture& picture, int height,
+                               int slopes = 2) {
   const ShadingReference twin(scene.state, scene.basis, scene.model, scene.lighting, picture.width,
-                              height);
+                              height, slopes);
   double largest = 0;
   const auto compare = [&](const char* group, const reference::Rgb& expected, int x, int y) {
     for (std::size_t c = 0; c < 3; ++c) {
@@ -85,6 +86,21 @@ TEST(Shader, EqualsItsTwinAtTheGridsSize) {
   const Scene scene;
   EXPECT_LT(difference_to_reference(scene, scene.shade(*shader, request_of(64, 48, kAllAovs)), 48),
             kTwin);
+}
+
+// As posters are shaded. Where nothing is occluded, the window has no border for the horizon.
+TEST(Shader, EqualsItsTwinWithOneSlopeACell) {
+  const auto shader = open();
+  for (const float occlusion : {0.0f, 1.0f}) {
+    Scene scene;
+    scene.lighting.occlusion = occlusion;
+    scene.lighting.relief_scale = 2;
+    ShadeRequest request = request_of(64, 48, kAllAovs);
+    request.relief_samples = 1;
+    request.tile = 20;
+    EXPECT_LT(difference_to_reference(scene, scene.shade(*shader, request), 48, 1), kTwin)
+        << occlusion;
+  }
 }
 
 TEST(Shader, EqualsItsTwinEnlarged) {

@@ -48,6 +48,22 @@ TEST(DetailSource, InterpolatesTheGuidesVelocity) {
   for (int i = 0; i < 16; ++i) EXPECT_FLOAT_EQ(u[static_cast<std::size_t>(i)], (i + 1) / 4.0f);
 }
 
+TEST(DetailSource, ReadingLeavesNoMoreInMemoryThanTheStoreMayHold) {
+  TileStoreOptions scratch;
+  scratch.scratch = testing::TempDir();
+  scratch.resident_bytes = 512 << 10;  // 8 planes of some 60
+  test::Painted painted(128, 4, Threads(2), true, scratch);
+  painted.stroke(0, 0.02, 0.02, 0.1, 0.1);
+  const DetailSource source(painted.follower().canvas(), painted.sim().state());
+  std::vector<float> row(512);
+  // Every 8192nd read trims. It is one of a cell that has no tile, which brings none into memory.
+  for (int i = 0; i < 8191; ++i) source.read({PlaneKind::kDepth}, 0, i % 384, row);
+  EXPECT_GT(painted.store().held_bytes(), scratch.resident_bytes);
+  ASSERT_TRUE(source.empty({511, 383, 1, 1}));
+  source.read({PlaneKind::kDepth}, 511, 383, {row.data(), 1});
+  EXPECT_LE(painted.store().held_bytes(), scratch.resident_bytes);
+}
+
 TEST(DetailSource, GivesStrokesOfTheGuide) {
   test::Painted painted(64, 4);
   painted.stroke(0, 0.05, 0.05, 0.1, 0.1);
