@@ -13,7 +13,7 @@ bool find(const float* values, int n) {
 }
 }  // namespace
 
-bool any_not_zero(const float* values, int n) {
+bool search_not_zero(const float* values, int n) {
   return find(values, n);
 }
 

@@ -3,7 +3,12 @@
 
 namespace pentimento {
 
-/// Whether any of the `n` values is not zero.
-bool any_not_zero(const float* values, int n);
+/// The same as any_not_zero(), value by value.
+bool search_not_zero(const float* values, int n);
+
+/// Whether any of the `n` values is not zero. What lies somewhere mostly lies in the middle, too.
+inline bool any_not_zero(const float* values, int n) {
+  return n > 0 && (values[n / 2] != 0 || search_not_zero(values, n));
+}
 
 }  // namespace pentimento

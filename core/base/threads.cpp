@@ -49,6 +49,14 @@ void Threads::for_ranges(int begin, int end, int grain_size,
   arena_->pool.share(begin, end, grain_size, body);
 }
 
+void Threads::offer(const std::function<bool()>& piece) const {
+  arena_->pool.offer(piece);
+}
+
+void Threads::withdraw() const {
+  arena_->pool.withdraw();
+}
+
 void Threads::for_rows(int rows, const std::function<void(int)>& body) const {
   for_ranges(0, rows, kRowsPerTask, [&](int begin, int end) {
     for (int y = begin; y < end; ++y) body(y);

@@ -23,6 +23,13 @@ class Threads {
   /// smallest range worth a task. Returns when all ranges are done.
   void for_ranges(int begin, int end, int grain_size,
                   const std::function<void(int, int)>& body) const;
+  /// From now on threads that wait for a loop call piece(), which does a piece of work, or returns
+  /// false if there is none left. The caller need not wait; but it, or a loop, must do what is left
+  /// when it needs it. `piece` must stay until withdraw().
+  void offer(const std::function<bool()>& piece) const;
+  /// Takes the offer back, and returns when no thread is at a piece any more. What a piece threw is
+  /// thrown here.
+  void withdraw() const;
   /// Calls body(y) for each row y of [0, rows).
   void for_rows(int rows, const std::function<void(int)>& body) const;
 

@@ -56,6 +56,8 @@ void WorkerPool::work() {
       take_ranges(next_.fetch_add(loop_.piece, std::memory_order_relaxed));
       leave();
       yields = 0;
+    } else if (do_piece()) {
+      yields = 0;
     } else if (yields < kYields) {
       ++yields;
       sched_yield();
@@ -95,6 +97,36 @@ void WorkerPool::take_ranges(std::int64_t from) noexcept {
     next_.store(loop_.end, std::memory_order_relaxed);
     if (!thrown_.exchange(true)) problem_ = std::current_exception();
   }
+}
+
+/// Does a piece of what is offered. False if nothing is.
+bool WorkerPool::do_piece() {
+  if (piece_.load(std::memory_order_relaxed) == nullptr) return false;
+  // Whoever withdraws the offer sees either this worker here, or that it found none.
+  at_pieces_.fetch_add(1);
+  const std::function<bool()>* piece = piece_.load();
+  bool done = false;
+  try {
+    done = piece != nullptr && (*piece)();
+  } catch (...) {
+    if (!piece_thrown_.exchange(true)) piece_problem_ = std::current_exception();
+  }
+  at_pieces_.fetch_sub(1);
+  return done;
+}
+
+void WorkerPool::offer(const std::function<bool()>& piece) {
+  if (threads_.empty() || ::getpid() != process_) return;
+  piece_.store(&piece);
+  // Another number wakes the workers that sleep; the loop of that number is not open.
+  state_.fetch_add(kLoop, std::memory_order_acq_rel);
+  state_.notify_all();
+}
+
+void WorkerPool::withdraw() {
+  piece_.store(nullptr);
+  while (::getpid() == process_ && at_pieces_.load() != 0) sched_yield();
+  if (piece_thrown_.exchange(false)) std::rethrow_exception(std::exchange(piece_problem_, nullptr));
 }
 
 void WorkerPool::open_loop() {

@@ -28,11 +28,20 @@ class WorkerPool {
   /// throws is thrown here; then some ranges may be left out.
   void share(int begin, int end, int grain_size, const std::function<void(int, int)>& body);
 
+  /// From now on workers that wait for a loop call piece(), which does a piece of work, or returns
+  /// false if there is none left. A loop does not wait for a piece. `piece` must stay until
+  /// withdraw().
+  void offer(const std::function<bool()>& piece);
+  /// Takes the offer back, and returns when no worker is at a piece any more. What a piece threw is
+  /// thrown here.
+  void withdraw();
+
  private:
   void work();
   bool enter(std::uint32_t& seen);
   void leave();
   void take_ranges(std::int64_t from) noexcept;
+  bool do_piece();
   void open_loop();
   void close_loop();
 
@@ -53,6 +62,10 @@ class WorkerPool {
   Loop loop_;
   std::atomic<bool> thrown_{false};
   std::exception_ptr problem_;
+  std::atomic<const std::function<bool()>*> piece_{nullptr};  // what is offered
+  std::atomic<int> at_pieces_{0};                             // workers that may be at one
+  std::atomic<bool> piece_thrown_{false};
+  std::exception_ptr piece_problem_;
 };
 
 }  // namespace pentimento

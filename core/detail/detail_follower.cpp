@@ -134,7 +134,7 @@ void DetailFollower::rework(const BlockStrip& strip) {
 
 /// Locks what is stale of the blocks that changed.
 void DetailFollower::lock_changed(const CanvasState& guide) {
-  const std::vector<BlockStrip> stale = stale_.find(guide, changed_, reworked_);
+  const std::vector<BlockStrip> stale = stale_.find(guide, changed_, reworked_, threads_);
   if (setup_.locked) lock_.lock(canvas_, guide, stale, threads_);
 }
 

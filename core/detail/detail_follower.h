@@ -46,6 +46,7 @@ class DetailFollower : public CanvasListener {
   PaintEdges& edges() override { return edges_; }
   void moved(const CanvasState& guide, const StepInput& in,
              const std::vector<conservative::Run>& runs) override;
+  void stepping() override { stamp_.start(); }
   void stepped(const CanvasState& guide, const StepInput& in) override;
   void drying(const CanvasState& guide, const ChannelBasis& basis, const Model& model) override;
   void cleared() override;

@@ -14,6 +14,8 @@ struct StepInput;
 
 class CanvasListener : public StampListener, public AdvectionListener {
  public:
+  /// A step begins: no stamp comes until it is over.
+  virtual void stepping() {}
   /// A step is over; `state` is what it left.
   virtual void stepped(const CanvasState& state, const StepInput& in) = 0;
   /// All wet paint of `state` is about to dry.

@@ -299,6 +299,7 @@ bool Simulation::step() {
   const bool touched = !m.contact.empty();
   const StepInput in{m.model,  m.gravity_m_s2, m.setup.dt_s, m.contact,
                      m.amount, m.threads,      m.listener,   m.fresh};
+  if (m.listener != nullptr) m.listener->stepping();
   const bool moved = m.scheme->step(m.state, in);
   if (m.listener != nullptr) m.listener->stepped(m.state, in);
   pentimento::clear(m.contact);

@@ -22,6 +22,7 @@ struct Lock::Job {
 
 namespace {
 constexpr int kSmoothings = 3;
+constexpr int kStripsPerTask = 8;    // whose layers are looked at
 constexpr int kCellsPerTask = 4096;  // some microseconds, as in for_runs
 
 /// The part of a strip that a ratio other than 1 reaches.
@@ -45,6 +46,7 @@ void Lock::lock(DetailCanvas& canvas, const CanvasState& guide,
   // Which strips to lock; how many of them, in one group of planes, make a task.
   list(canvas, strips);
   if (strips_.empty()) return;
+  find_splits(canvas.layout(), threads);
   list_planes(canvas);
   reset_tables();
   const auto fine = blocks_ * static_cast<std::size_t>(canvas.layout().factor()) *
@@ -79,23 +81,33 @@ void Lock::lock(DetailCanvas& canvas, const CanvasState& guide,
   }
 }
 
-/// Lists the strips that have a tile, and for each block whether its layers are those of the
-/// guide's cell.
+/// Lists the strips that have a tile.
 void Lock::list(DetailCanvas& canvas, const std::vector<BlockStrip>& strips) {
   strips_.clear();
-  split_.clear();
+  blocks_ = 0;
   for (BlockRatios& ratio : ratio_) ratio.clear();
   for (const BlockStrip& at : strips) {
     DetailTile* tile = canvas.find(at.tile);
     if (tile == nullptr) continue;
-    strips_.push_back({at, tile, split_.size()});
+    strips_.push_back({at, tile, blocks_});
+    blocks_ += static_cast<std::size_t>(at.blocks());
     for (BlockRatios& ratio : ratio_) ratio.add(at);
-    for (int x = at.x0; x < at.x1; ++x) {
-      split_.push_back(layers_correspond(*tile, canvas.layout(), x, at.y) ? 0 : 1);
-      strips_.back().is_split |= split_.back() != 0;
-    }
   }
-  blocks_ = split_.size();
+}
+
+/// Finds for each block whether its layers are those of the guide's cell.
+void Lock::find_splits(const DetailLayout& layout, const Threads& threads) {
+  split_.resize(blocks_);
+  threads.for_ranges(0, static_cast<int>(strips_.size()), kStripsPerTask, [&](int begin, int end) {
+    for (std::size_t s = at(begin); s < at(end); ++s) {
+      Strip& strip = strips_[s];
+      for (int x = strip.at.x0; x < strip.at.x1; ++x) {
+        const bool splits = !layers_correspond(*strip.tile, layout, x, strip.at.y);
+        split_[strip.first + at(x - strip.at.x0)] = splits ? 1 : 0;
+        strip.is_split |= splits;
+      }
+    }
+  });
 }
 
 /// The depth alone; then each pigment channel with all its layers, for a mismatched block is locked

@@ -70,6 +70,7 @@ class Lock {
     return {held_.data() + plane * blocks_ + strip.first, at(strip.at.blocks())};
   }
   void list(DetailCanvas& canvas, const std::vector<BlockStrip>& strips);
+  void find_splits(const DetailLayout& layout, const Threads& threads);
   void list_planes(const DetailCanvas& canvas);
   void reset_tables();
   template <typename Body>

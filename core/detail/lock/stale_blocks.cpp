@@ -8,7 +8,8 @@
 namespace pentimento {
 
 namespace {
-constexpr int kHardlyApart = 2;  // blocks: to begin another strip costs as much as to lock these
+constexpr int kNotedTogether = 8;  // strips: some microseconds
+constexpr int kHardlyApart = 2;    // blocks: to begin another strip costs as much as to lock these
 
 const Field<float>& plane_of(const CanvasState& guide, std::size_t plane) {
   return plane == 0 ? guide.depth_m : guide.pigment[plane - 1];
@@ -33,7 +34,7 @@ StaleBlocks::StaleBlocks(const DetailLayout& layout, int layers, int channels)
 }
 
 std::vector<BlockStrip> StaleBlocks::find(const CanvasState& guide, const ChangedBlocks& changed,
-                                          const ChangedBlocks& reworked) {
+                                          const ChangedBlocks& reworked, const Threads& threads) {
   const std::vector<BlockStrip> strips = changed.strips(), others = reworked.strips();
   const auto mark = [&](const BlockStrip& strip, std::uint8_t value) {
     std::fill(stale_.row(strip.y) + strip.x0, stale_.row(strip.y) + strip.x1, value);
@@ -41,10 +42,15 @@ std::vector<BlockStrip> StaleBlocks::find(const CanvasState& guide, const Change
   // Which blocks are stale: those that were reworked, and those of which the guide holds more or
   // less than it did.
   for (const BlockStrip& strip : others) mark(strip, 1);
-  for (const BlockStrip& strip : strips)
-    for (std::size_t plane = 0; plane < held_.size(); ++plane)
-      note_row(plane_of(guide, plane).row(strip.y), strip.x0, strip.x1, held_[plane].row(strip.y),
-               stale_.row(strip.y));
+  threads.for_ranges(0, static_cast<int>(strips.size()), kNotedTogether, [&](int begin, int end) {
+    // No two strips have a cell in common.
+    for (int i = begin; i < end; ++i) {
+      const BlockStrip& strip = strips[static_cast<std::size_t>(i)];
+      for (std::size_t plane = 0; plane < held_.size(); ++plane)
+        note_row(plane_of(guide, plane).row(strip.y), strip.x0, strip.x1, held_[plane].row(strip.y),
+                 stale_.row(strip.y));
+    }
+  });
   // These, and the blocks next to them.
   std::vector<BlockStrip> found;
   for (const BlockStrip& strip : strips) add_near(strip, found);

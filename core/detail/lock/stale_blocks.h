@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/field.h"
+#include "core/base/threads.h"
 #include "core/canvas/canvas_state.h"
 #include "core/detail/store/changed_blocks.h"
 
@@ -23,7 +24,7 @@ class StaleBlocks {
   /// needs those (lock.h). Blocks between two strips that are hardly apart are added. Notes the
   /// guide's cells of `changed`.
   std::vector<BlockStrip> find(const CanvasState& guide, const ChangedBlocks& changed,
-                               const ChangedBlocks& reworked);
+                               const ChangedBlocks& reworked, const Threads& threads);
   /// Notes all cells: the detail canvas holds what the guide holds.
   void note(const CanvasState& guide);
   /// Neither holds wet paint any more.

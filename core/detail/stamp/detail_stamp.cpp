@@ -16,18 +16,27 @@ DetailStamp::DetailStamp(DetailCanvas& canvas, std::span<const float> amount,
                          const Threads& threads)
     : canvas_(canvas), amount_(amount.begin(), amount.end()), threads_(threads) {}
 
+DetailStamp::~DetailStamp() {
+  try {
+    threads_.withdraw();
+  } catch (...) {  // whoever needs the stamps has asked for them, and heard of it
+  }
+}
+
 void DetailStamp::begin() {
-  if (used_ == kMostWaiting) finish();
-  if (used_ == stamps_.size()) stamps_.push_back(std::make_unique<QueuedStamp>(canvas_.channels()));
-  ++used_;
+  if (filling().used == kMostWaiting) start();
+  Batch& batch = filling();
+  if (batch.used == batch.stamps.size())
+    batch.stamps.push_back(std::make_unique<QueuedStamp>(canvas_.channels()));
+  ++batch.used;
 }
 
 void DetailStamp::before_deposit(const StampPlan& plan, const CanvasState& guide) {
-  stamps_[used_ - 1]->before_deposit(plan, guide, canvas_.layout(), amount_);
+  last().before_deposit(plan, guide, canvas_.layout(), amount_);
 }
 
 void DetailStamp::add_touched(ChangedBlocks& blocks) {
-  QueuedStamp& stamp = *stamps_[used_ - 1];
+  QueuedStamp& stamp = last();
   stamp.find_touched(canvas_.layout());
   for (int y = stamp.blocks().y0; y < stamp.blocks().y1; ++y) {
     const QueuedStamp::BlockSpan touched = stamp.touched_blocks(y, canvas_.layout());
@@ -36,7 +45,7 @@ void DetailStamp::add_touched(ChangedBlocks& blocks) {
 }
 
 void DetailStamp::after_deposit(const StampPlan& plan, const CanvasState& guide) {
-  QueuedStamp& stamp = *stamps_[used_ - 1];
+  QueuedStamp& stamp = last();
   stamp.after_deposit(plan, guide);
   const CellBox& blocks = stamp.blocks();
   for_tiles(blocks, [&](int tile) {
@@ -58,17 +67,17 @@ void DetailStamp::for_tiles(const CellBox& blocks, const Body& body) const {
       body(layout.tile_of(column, row));
 }
 
-std::vector<DetailStamp::TileWork> DetailStamp::list_work() const {
-  std::vector<TileWork> works;
+void DetailStamp::list_work(Batch& batch) const {
+  batch.works.clear();
   std::vector<std::pair<int, std::size_t>> listed;  // tile, stamp
-  for (std::size_t i = 0; i < used_; ++i)
-    for_tiles(stamps_[i]->blocks(), [&](int tile) { listed.emplace_back(tile, i); });
+  for (std::size_t i = 0; i < batch.used; ++i)
+    for_tiles(batch.stamps[i]->blocks(), [&](int tile) { listed.emplace_back(tile, i); });
   std::sort(listed.begin(), listed.end());
   for (const auto& [tile, i] : listed) {
-    if (works.empty() || works.back().tile != tile) works.push_back({tile, {}, {}});
-    works.back().stamps.push_back(stamps_[i].get());
+    if (batch.works.empty() || batch.works.back().tile != tile)
+      batch.works.push_back({tile, {}, {}});
+    batch.works.back().stamps.push_back(batch.stamps[i].get());
   }
-  return works;
 }
 
 /// Makes all that the stamps need in the tile. False if there is no memory for it.
@@ -83,12 +92,10 @@ bool DetailStamp::prepare(TileWork& work) {
   return true;
 }
 
-std::vector<DetailStamp::RowRange> DetailStamp::list_row_ranges(
-    const std::vector<TileWork>& works) const {
+void DetailStamp::list_bands(Batch& batch) const {
   const DetailLayout& layout = canvas_.layout();
   const int rows = std::max(1, kBandRows / layout.factor());
-  std::vector<RowRange> bands;
-  for (const TileWork& work : works) {
+  for (const TileWork& work : batch.works) {
     const CellBox box = layout.box(work.tile);
     for (int y = box.y0; y < box.y1; y += rows) {
       const int y1 = std::min(y + rows, box.y1);
@@ -96,29 +103,67 @@ std::vector<DetailStamp::RowRange> DetailStamp::list_row_ranges(
           std::any_of(work.stamps.begin(), work.stamps.end(), [&](const QueuedStamp* stamp) {
             return stamp->blocks().y0 < y1 && stamp->blocks().y1 > y;
           });
-      if (touched) bands.push_back({&work, y, y1});
+      if (touched) batch.bands.emplace_back(&work, y, y1);
     }
   }
-  return bands;
+}
+
+/// Does those of the bands [begin, end) that nobody has taken.
+void DetailStamp::do_bands(Batch& batch, std::size_t begin, std::size_t end) {
+  StampRows rows(canvas_, amount_);
+  for (std::size_t i = begin; i < end; ++i) {
+    StampedRows& band = batch.bands[i];
+    if (band.taken.exchange(true)) continue;
+    rows.begin(band.work->tile, band.work->channels, band.y0, band.y1);
+    for (const QueuedStamp* stamp : band.work->stamps) rows.apply(*stamp);
+  }
+}
+
+/// False if all bands are taken.
+bool DetailStamp::do_next_band() {
+  Batch& batch = begun();
+  const std::size_t i = batch.next.fetch_add(1);
+  if (i >= batch.bands.size()) return false;
+  do_bands(batch, i, i + 1);
+  return true;
+}
+
+void DetailStamp::start() {
+  // The stamps before these come first.
+  finish_begun();
+  Batch& batch = filling();
+  if (batch.used == 0) return;
+  filling_ = 1 - filling_;
+  // All that the stamps need is made now, for the work itself makes nothing.
+  list_work(batch);
+  std::erase_if(batch.works, [&](TileWork& work) { return !prepare(work); });
+  std::vector<int> tiles;
+  for (const TileWork& work : batch.works) tiles.push_back(work.tile);
+  canvas_.give_memory(tiles, threads_);
+  list_bands(batch);
+  threads_.offer(next_band_);
+}
+
+/// All threads do what is left of the stamps that have begun.
+void DetailStamp::finish_begun() {
+  Batch& batch = begun();
+  threads_.for_ranges(0, static_cast<int>(batch.bands.size()), 1, [&](int first, int end) {
+    do_bands(batch, static_cast<std::size_t>(first), static_cast<std::size_t>(end));
+  });
+  threads_.withdraw();
+  batch.bands.clear();
+  batch.next = 0;
+  batch.used = 0;
 }
 
 void DetailStamp::finish() {
-  if (used_ == 0) return;
-  std::vector<TileWork> works = list_work();
-  std::erase_if(works, [&](TileWork& work) { return !prepare(work); });
-  std::vector<int> tiles;
-  for (const TileWork& work : works) tiles.push_back(work.tile);
-  canvas_.give_memory(tiles, threads_);
-  const std::vector<RowRange> bands = list_row_ranges(works);
-  threads_.for_ranges(0, static_cast<int>(bands.size()), 1, [&](int begin, int end) {
-    StampRows band(canvas_, amount_);
-    for (int i = begin; i < end; ++i) {
-      const RowRange& part = bands[static_cast<std::size_t>(i)];
-      band.begin(part.work->tile, part.work->channels, part.y0, part.y1);
-      for (const QueuedStamp* stamp : part.work->stamps) band.apply(*stamp);
-    }
-  });
-  used_ = 0;
+  start();
+  finish_begun();
+}
+
+void DetailStamp::forget() {
+  finish_begun();
+  filling().used = 0;
 }
 
 }  // namespace pentimento

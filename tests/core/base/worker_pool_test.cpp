@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <atomic>
 #include <cfenv>
+#include <chrono>
+#include <functional>
 #include <mutex>
 #include <stdexcept>
 #include <thread>
@@ -75,12 +77,90 @@ TEST(WorkerPool, ALoopInsideOfALoopIsDoneByItsCaller) {
   EXPECT_EQ(sum.load(), 160);
 }
 
+/// Waits until something is so, or a minute has passed.
+void wait_until(const std::function<bool()>& is_so) {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+  while (!is_so() && std::chrono::steady_clock::now() < end) std::this_thread::yield();
+  ASSERT_TRUE(is_so());
+}
+
+TEST(WorkerPool, WorkersThatWaitDoWhatIsOffered) {
+  WorkerPool pool(2);
+  for (const int pause_ms : {0, 20}) {  // workers that look for work, and such that sleep
+    std::this_thread::sleep_for(std::chrono::milliseconds(pause_ms));
+    std::atomic<int> left{100}, done{0};
+    const std::function<bool()> piece = [&] {
+      if (left.fetch_sub(1) <= 0) return false;
+      ++done;
+      return true;
+    };
+    pool.offer(piece);
+    wait_until([&] { return done == 100; });
+    pool.withdraw();
+    EXPECT_EQ(done, 100);
+  }
+}
+
+TEST(WorkerPool, AfterAnOfferIsWithdrawnNobodyIsAtAPiece) {
+  WorkerPool pool(3);
+  for (int round = 0; round < 300; ++round) {
+    std::atomic<int> inside{0}, calls{0};
+    const std::function<bool()> piece = [&] {
+      ++inside;
+      ++calls;
+      std::this_thread::yield();
+      --inside;
+      return true;
+    };
+    pool.offer(piece);
+    if (round % 2 == 0) wait_until([&] { return calls > 0; });
+    pool.withdraw();
+    EXPECT_EQ(inside, 0);
+    const int before = calls;
+    pool.share(0, 8, 1, [](int, int) {});
+    ASSERT_EQ(calls, before);
+  }
+}
+
+TEST(WorkerPool, ALoopDoesNotWaitForAPiece) {
+  WorkerPool pool(2);
+  std::atomic<int> inside{0}, sum{0};
+  std::atomic<bool> loop_is_done{false};
+  const std::function<bool()> piece = [&] {
+    ++inside;
+    while (!loop_is_done) std::this_thread::yield();
+    return false;
+  };
+  pool.offer(piece);
+  wait_until([&] { return inside == 2; });
+  pool.share(0, 100, 1, [&](int from, int to) { sum += to - from; });
+  loop_is_done = true;
+  pool.withdraw();
+  EXPECT_EQ(sum, 100);
+}
+
+TEST(WorkerPool, WhatAPieceThrowsReachesWhoeverWithdrawsTheOffer) {
+  WorkerPool pool(2);
+  std::atomic<int> calls{0};
+  const std::function<bool()> piece = [&]() -> bool {
+    ++calls;
+    throw std::runtime_error("no");
+  };
+  pool.offer(piece);
+  wait_until([&] { return calls > 0; });
+  EXPECT_THROW(pool.withdraw(), std::runtime_error);
+  EXPECT_NO_THROW(pool.withdraw());
+}
+
 TEST(WorkerPool, AForkedProcessWorksAlone) {
   WorkerPool pool(2);
   const pid_t child = fork();
   if (child == 0) {
     int sum = 0;
     pool.share(0, 100, 1, [&](int from, int to) { sum += to - from; });
+    const std::function<bool()> piece = [&] { return ++sum < 0; };
+    pool.offer(piece);
+    pool.withdraw();
     _exit(sum == 100 ? 7 : 1);
   }
   int status = 0;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "core/detail/store/open_cells.h"
 #include "tests/core/detail/painted.h"
 
 namespace pentimento {
@@ -196,6 +197,38 @@ TEST_F(LockTest, CountsRatiosBeyondAllBounds) {
   lock();
   EXPECT_EQ(lock_.statistics().blocks[7], 1);  // 104 % off
   EXPECT_EQ(lock_.statistics().blocks[6], 1);  // 96 % off
+}
+
+TEST_F(LockTest, WhereLayersDoNotCorrespondOnlyTheirSumIsLocked) {
+  // Two layers of one pigment. The guide has all of it on top, the detail canvas all of it below.
+  CanvasState guide = make_canvas_state({16, 16, 1, 1}, 2, 1, 3, 1.0f);
+  for (int x = 4; x < 12; ++x) {
+    guide.depth_m(x, 5) = 0.01f;
+    guide.channel(1, 0)(x, 5) = 0.03f;
+  }
+  DetailCanvas canvas(layout_, 2, 1, 3, substrate_, *store_);
+  canvas.ensure_planes(0, guide);
+  DetailTile& tile = *canvas.find(0);
+  ASSERT_TRUE(canvas.make(tile.pigment[0]));
+  for (int y = 40; y < 48; ++y)
+    for (int x = 32; x < 96; ++x) {
+      tile.depth_m.data()[y * layout_.side() + x] = 0.01f;
+      tile.pigment[0].data()[y * layout_.side() + x] = 0.02f;
+    }
+  // In one block of the row the fine cells have not opened the layer yet.
+  make_openable(tile.open, layout_);
+  tile.open.mismatched[static_cast<std::size_t>(5 * layout_.blocks() + 7)] = 1;
+  ChangedBlocks all(layout_);
+  all.add({0, 16, 0, 16});
+  Lock(layout_).lock(canvas, guide, all.strips(), Threads(1));
+  const auto mean = [&](int layer, int x) {
+    return test::block_mean(canvas, WetPlane{layer}, x, 5);
+  };
+  EXPECT_NEAR(mean(0, 7), 0.03, 1e-8);
+  EXPECT_EQ(mean(1, 7), 0);
+  // Elsewhere each layer is what the guide has of it.
+  EXPECT_EQ(mean(0, 9), 0);
+  EXPECT_NEAR(mean(1, 9), 0.03, 1e-8);
 }
 
 TEST_F(LockTest, TheStateDoesNotDependOnThreads) {

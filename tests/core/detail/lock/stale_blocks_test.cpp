@@ -19,7 +19,7 @@ class StaleBlocksTest : public ::testing::Test {
 
   Cells find() {
     Cells cells;
-    for (const BlockStrip& strip : stale_.find(guide_, changed_, reworked_)) {
+    for (const BlockStrip& strip : stale_.find(guide_, changed_, reworked_, threads_)) {
       EXPECT_LT(strip.x0, strip.x1);
       for (int x = strip.x0; x < strip.x1; ++x) {
         EXPECT_EQ(layout_.tile_of(x / layout_.blocks(), strip.y / layout_.blocks()), strip.tile);
@@ -39,6 +39,7 @@ class StaleBlocksTest : public ::testing::Test {
   CanvasState guide_;
   ChangedBlocks changed_{layout_}, reworked_{layout_};
   StaleBlocks stale_{layout_, 2, 2};
+  const Threads threads_{3};
 };
 
 TEST_F(StaleBlocksTest, WhatTheGuideHoldsAsBeforeIsNotStale) {
