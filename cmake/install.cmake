@@ -30,7 +30,7 @@ install(FILES ${CMAKE_BINARY_DIR}/pentimentoConfig.cmake ${CMAKE_BINARY_DIR}/pen
 # Headers that need more than the standard library and Eigen stay here: those of OpenGL, HDF5 and
 # OpenEXR, and those which include them. tests/install checks that no other header needs more.
 set(private_headers
-  functions objects library context gl_limits lamp_uniforms picture_job shade_program
+  functions objects library context gl_limits lamp_uniforms picture_job shade_program strip_writer
   chunked dump_source packed_chunks handle lighting_parts detail_checkpoint output_driver read_canvas read_dump read_small sleep write_canvas write_small
   chromaticities stream typed_attribute)
 list(JOIN private_headers | private_names)
