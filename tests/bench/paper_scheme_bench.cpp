@@ -74,10 +74,11 @@ void time_pass(benchmark::State& run, Body body) {
   Canvas canvas(width, height, static_cast<int>(run.range(2)), width, height);
   const StepConstants k = make_step_constants(canvas.state.geometry, canvas.input());
   Planes& p = canvas.planes;
-  for (int y = 0; y < height; ++y) prepare_margin_row(canvas.state, y, {0, width}, p);
+  for (int y = 0; y < height; ++y) prepare_margin_row(canvas.state, y, {0, width}, {}, p);
   p.mobility_frac.fill(0.5f);
   p.viscosity_m2_s.fill(5e-3f);
   p.occupied.fill(2);
+  p.free_frac.fill(0.5f);
   p.moved.fill(1);
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
@@ -97,7 +98,7 @@ void time_pass(benchmark::State& run, Body body) {
 
 void BM_Prepare(benchmark::State& run) {
   time_pass(run, [](Canvas& c, const StepConstants&, int y) {
-    prepare_margin_row(c.state, y, c.columns(), c.planes);
+    prepare_margin_row(c.state, y, c.columns(), c.columns(), c.planes);
   });
 }
 

@@ -4,6 +4,7 @@
 // there is no gradient (R16), and no flux either, for the normal velocity of edge cells is 0.
 
 #include <algorithm>
+#include <array>
 
 #include "core/base/field.h"
 
@@ -27,6 +28,13 @@ inline Columns hull(Columns a, Columns b) {
 inline Columns widened(Columns c, int width) {
   if (c.empty()) return c;
   return {std::max(c.begin - 1, 0), std::min(c.end + 1, width)};
+}
+
+/// The cells of `all` before and behind those that are in `kept`, too.
+inline std::array<Columns, 2> around(Columns kept, Columns all) {
+  const int middle = kept.empty() ? all.end : std::clamp(kept.begin, all.begin, all.end);
+  const int behind = kept.empty() ? all.end : std::max(kept.end, all.begin);
+  return {Columns{all.begin, middle}, Columns{behind, all.end}};
 }
 
 /// Row y of a plane with the rows above and below it.

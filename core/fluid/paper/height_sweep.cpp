@@ -4,15 +4,41 @@
 
 namespace pentimento::paper {
 
+namespace {
+
+/// The system of a row, the heights around it, and where the sweep goes.
+struct SweptHeights {
+  const float *centre, *left, *right, *up, *down;
+  Rows height_m;
+  float* out;
+};
+
+inline void sweep_height_cell(const SweptHeights& s, int x, int l, int r) {
+  s.out[x] = s.centre[x] + (s.left[x] * s.height_m.here[l] + s.right[x] * s.height_m.here[r]) +
+             (s.up[x] * s.height_m.above[x] + s.down[x] * s.height_m.below[x]);
+}
+
+PENTIMENTO_KERNEL
+void sweep_height_cells(const SweptHeights& given, int begin, int end) {
+  const SweptHeights rows = given;
+  PENTIMENTO_INDEPENDENT
+  for (int x = begin; x < end; ++x) sweep_height_cell(rows, x, x - 1, x + 1);
+}
+
+}  // namespace
+
 void sweep_height_row(const Stencil& system, const Field<float>& height_m, int y, Columns cells,
                       float* out) {
-  const Rows h = rows_at(height_m, y);
-  const float *centre = system.centre.row(y), *left = system.left.row(y);
-  const float *right = system.right.row(y), *up = system.up.row(y), *down = system.down.row(y);
-  for_cells(cells, height_m.width(), [=](int x, int l, int r) {
-    out[x] = centre[x] + (left[x] * h.here[l] + right[x] * h.here[r]) +
-             (up[x] * h.above[x] + down[x] * h.below[x]);
-  });
+  const SweptHeights rows{system.centre.row(y),
+                          system.left.row(y),
+                          system.right.row(y),
+                          system.up.row(y),
+                          system.down.row(y),
+                          rows_at(height_m, y),
+                          out};
+  for_edges_and_inside(
+      cells, height_m.width(), [&](int x, int l, int r) { sweep_height_cell(rows, x, l, r); },
+      [&](int begin, int end) { sweep_height_cells(rows, begin, end); });
 }
 
 PENTIMENTO_KERNEL

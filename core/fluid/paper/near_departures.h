@@ -1,10 +1,12 @@
 #pragma once
-// What cells beside one another get from cells beside one another, as nearly all do: their
-// departure points lie between the same three columns and rows, seen from each cell. Then vectors
-// read the nine cells there and choose four. The same bits as cell by cell (departure.h).
+// What cells beside one another get from cells beside one another, as nearly all do: the departure
+// points of a group of cells lie between the same three or four columns and rows, seen from each
+// cell. Then vectors read all cells there and choose four (near_values.h). The same bits as cell by
+// cell (departure.h).
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include "core/fluid/paper/departure.h"
@@ -13,91 +15,91 @@
 
 namespace pentimento::paper {
 
-inline constexpr int kTogether = 64;       // cells of a row, at most
-inline constexpr int kLeastTogether = 16;  // where the points of more lie too far apart
+inline constexpr int kGroupCells = 16;  // a vector of the widest instruction set
+/// Groups that are looked at before any plane is read: planes are then read in long pieces, which
+/// the processor foresees.
+inline constexpr int kMostGroups = 16;
+inline constexpr int kMostCells = kGroupCells * kMostGroups;
 
-/// Where the paint of some cells of a row came from.
-struct NearDepartures {
-  // The first of the three columns and of the three rows, seen from each cell.
+// What is noted of each cell. Its departure point lies behind the first of its group's columns, or
+// the third, else the second; the same of rows. Its paint moves.
+inline constexpr std::int32_t kFirstColumnBit = 1, kThirdColumnBit = 2;
+inline constexpr std::int32_t kFirstRowBit = 4, kThirdRowBit = 8;
+inline constexpr std::int32_t kMovesBit = 16;
+
+// Columns, and rows, that the departure points of a group lie between.
+inline constexpr int kNearSide = 3;
+inline constexpr int kWideSide = 4;
+
+/// A group: cells [x, x + kGroupCells) of a row.
+struct NearGroup {
+  int x = 0;
+  int side = 0;  // kNearSide, kWideSide; 0 if more, and nothing else of the group is known
+  // The first of these columns and of these rows, seen from each cell.
   int shift_x = 0, shift_y = 0;
-  // Of each cell: the column and the row before its departure point, seen from the cell, and the
-  // fractions from there; whether anything moves.
-  std::array<std::int32_t, kTogether> column, row, moves;
-  std::array<float, kTogether> fx, fy;
+  // The first cell's first column in each of the rows, and in a row that is not read before the
+  // next one but one: in elements from a plane's first.
+  std::array<std::ptrdiff_t, kWideSide> from = {};
+  std::ptrdiff_t ahead = 0;
 };
 
-/// What is known of the cells [x, x + n) of row y. All pointers point at cell x.
-struct NearCells {
-  int x = 0, y = 0, n = 0;       // n at most kTogether
-  int last_x = 0, last_y = 0;    // of the canvas
+/// Where the paint of some groups of a row came from.
+struct NearDepartures {
+  int groups = 0;
+  std::array<NearGroup, kMostGroups> group;
+  // Of each cell, kGroupCells for each group: the bits above, and the fractions from the column and
+  // row.
+  std::array<std::int32_t, kMostCells> choice;
+  std::array<float, kMostCells> fx, fy;
+};
+
+/// What is known of the cells of row y. Pointers point at the row's first cell.
+struct NearRow {
+  int y = 0;
+  GridShape grid;
   const float* u_m_s = nullptr;  // velocity of the surface
   const float* v_m_s = nullptr;
-  const float* share = nullptr;  // of that velocity
+  // Of paint in a layer: the layer, and the layers of each cell that hold pigment (R18). No
+  // `occupied`: the surface itself.
+  int layer = 0;
+  const std::uint8_t* occupied = nullptr;
 };
 
-/// Finds the departure points. Returns false if they lie further apart than three columns and rows,
-/// or these lie beyond the canvas's columns.
-bool find_near(const StepConstants& k, const NearCells& cells, NearDepartures& out);
+/// Finds the departure points of the groups, whose places are given. A group has no side if the
+/// points lie further apart than kWideSide columns and rows, or these beyond the canvas's columns.
+void find_near(const StepConstants& k, const NearRow& row, NearDepartures& out);
 
-/// A plane around some cells of a row. All pointers point at the first cell, but for the shift.
-struct NearRows {
-  Rows from;          // the three rows that the departure points lie in
-  const float* here;  // the cells' own row, without the shift
-};
-
-/// Row y of a plane from x on, and the rows that the departure points lie in.
-inline NearRows rows_near(const Field<float>& plane, int x, int y,
-                          const NearDepartures& departures) {
-  const int last = plane.height() - 1;
-  const auto from = [&](int row) {
-    return plane.row(std::min(y + departures.shift_y + row, last)) + x + departures.shift_x;
-  };
-  return {{from(0), from(1), from(2)}, plane.row(y) + x};
+/// The column, or row, of three that the bits of a cell mean.
+inline int chosen_of_three(std::int32_t choice, std::int32_t first_bit, std::int32_t third_bit) {
+  return (choice & first_bit) != 0 ? 0 : (choice & third_bit) != 0 ? 2 : 1;
 }
 
-/// The value beside cell i of the three rows, in row and column 0, 1 or 2.
-inline float value_near(const NearRows& plane, int i, int row, int column) {
-  const float* from = row == 0 ? plane.from.above : row == 1 ? plane.from.here : plane.from.below;
-  return from[i + column];
-}
-
-/// interpolate() at the departure point of cell i, among nine cells: value(row, column).
-template <typename Value>
-inline float interpolate_near(const NearDepartures& d, int i, const Value& value) {
-  const auto at = static_cast<std::size_t>(i);
-  const bool first_columns = d.column[at] == d.shift_x, first_rows = d.row[at] == d.shift_y;
-  const float top_0 = first_rows ? value(0, 0) : value(1, 0);
-  const float top_1 = first_rows ? value(0, 1) : value(1, 1);
-  const float top_2 = first_rows ? value(0, 2) : value(1, 2);
-  const float bottom_0 = first_rows ? value(1, 0) : value(2, 0);
-  const float bottom_1 = first_rows ? value(1, 1) : value(2, 1);
-  const float bottom_2 = first_rows ? value(1, 2) : value(2, 2);
-  const float top = mix(first_columns ? top_0 : top_1, first_columns ? top_1 : top_2, d.fx[at]);
-  const float bottom =
-      mix(first_columns ? bottom_0 : bottom_1, first_columns ? bottom_1 : bottom_2, d.fx[at]);
-  return mix(top, bottom, d.fy[at]);
-}
-
-/// near(x, n), or if that returns false the same for each half of the cells, down to
-/// kLeastTogether.
+/// Goes along the cells of a row: near(departures) for up to kMostGroups groups of cells that have
+/// neighbours on both sides, of which those count that have a side, and plainly(begin, end) for all
+/// other cells. Where cells are no whole number of groups, the last group has some of the one
+/// before again.
 template <typename Near, typename Plainly>
-void near_or_plainly(int x, int n, const Near& near, const Plainly& plainly) {
-  if (near(x, n)) return;
-  if (n <= kLeastTogether) return plainly(x, x + n);
-  near_or_plainly(x, n / 2, near, plainly);
-  near_or_plainly(x + n / 2, n - n / 2, near, plainly);
-}
-
-/// Goes along cells of a row: near(x, n) for up to `together` cells that have neighbours on both
-/// sides, fewer where it returns false, and plainly(begin, end) for the others and where near()
-/// returns false for few.
-template <typename Near, typename Plainly>
-void for_near_cells(Columns cells, int width, int together, Near near, Plainly plainly) {
-  const int first = std::min(std::max(cells.begin, 1), cells.end);
-  const int last = std::max(std::min(cells.end, width - 1), first);
+void for_near_cells(const StepConstants& k, const NearRow& row, Columns cells, Near near,
+                    Plainly plainly) {
+  const int first = std::max(cells.begin, 1), last = std::min(cells.end, row.grid.width - 1);
+  if (last - first < kGroupCells) {
+    if (!cells.empty()) plainly(cells.begin, cells.end);
+    return;
+  }
   if (cells.begin < first) plainly(cells.begin, first);
-  for (int x = first; x < last; x += together) {
-    near_or_plainly(x, std::min(together, last - x), near, plainly);
+  NearDepartures departures;
+  for (int begin = first; begin < last; begin += kMostCells) {
+    const int count = std::min(kMostCells, last - begin);
+    departures.groups = (count + kGroupCells - 1) / kGroupCells;
+    for (int g = 0; g < departures.groups; ++g)
+      departures.group[static_cast<std::size_t>(g)].x =
+          std::min(begin + g * kGroupCells, last - kGroupCells);
+    find_near(k, row, departures);
+    near(departures);
+    for (int g = 0; g < departures.groups; ++g) {
+      const NearGroup& group = departures.group[static_cast<std::size_t>(g)];
+      if (group.side == 0) plainly(group.x, group.x + kGroupCells);
+    }
   }
   if (last < cells.end) plainly(last, cells.end);
 }

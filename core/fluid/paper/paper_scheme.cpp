@@ -30,9 +30,8 @@ std::size_t at(int y) {
 
 /// Zeroes the cells of `box` outside `kept`.
 void clear_around(Columns kept, Columns box, float* row) {
-  const int middle = kept.empty() ? box.end : std::clamp(kept.begin, box.begin, box.end);
-  std::fill(row + box.begin, row + middle, 0.0f);
-  if (!kept.empty() && kept.end < box.end) std::fill(row + kept.end, row + box.end, 0.0f);
+  for (const Columns& cells : around(kept, box))
+    std::fill_n(row + cells.begin, cells.count(), 0.0f);
 }
 
 /// Mobility and viscosity of row y (R3, R12, R13). Stamped cells get no viscosity, so that the
@@ -68,6 +67,13 @@ void PaperScheme::for_live_rows(const StepInput& in, Body body) const {
 }
 
 template <typename Body>
+void PaperScheme::for_stages_of_rows(const StepInput& in, int stages, Body body) const {
+  for_sweeps(in.threads, rows_.row_begin(), rows_.row_end(), stages, [&](int stage, int y) {
+    if (!rows_.live(y).empty()) body(stage, y, rows_.live(y));
+  });
+}
+
+template <typename Body>
 void PaperScheme::for_travel_rows(const StepInput& in, Body body) const {
   in.threads.for_ranges(travel_rows_.begin, travel_rows_.end, kRowsPerTask,
                         [&](int begin, int end) {
@@ -85,9 +91,7 @@ bool PaperScheme::step(CanvasState& state, const StepInput& in) {
   // R17, R16, R3, R12, R13: the brush's velocity under the tip, stiffness and viscosity of the
   // paint.
   prepare(state, in);
-  // R8: velocity and height are carried along, by tracing each cell back.
-  trace(state, in);
-  // R6, R7, R9: the implicit height.
+  // R8, R6, R7, R9: velocity and height carried along, and the implicit height.
   const Field<float>& height_m = solve_height(state, in);
   // R10, R11, R14, R15: the velocity that this height, gravity and viscosity give.
   const std::size_t velocity = solve_velocity(state, in, height_m);
@@ -111,11 +115,12 @@ bool PaperScheme::step(CanvasState& state, const StepInput& in) {
 
 void PaperScheme::prepare(CanvasState& state, const StepInput& in) {
   const Rheology rheology = make_rheology(in.model);
+  may_move_ = travel_cells_ > 0 || !in.contact.empty();
   std::fill(row_changed_.begin(), row_changed_.end(), std::uint8_t{0});
   in.threads.for_ranges(rows_.row_begin(), rows_.row_end(), kRowsPerTask, [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {
-      prepare_margin_row(state, y, rows_.margin(y), planes_);
       const Columns cells = rows_.live(y);
+      prepare_margin_row(state, y, rows_.margin(y), cells, planes_);
       if (cells.empty()) continue;
       float *u = state.velocity_x_m_s.row(y), *v = state.velocity_y_m_s.row(y);
       // R17: the brush's velocity is imposed before the advection; R16: no paint crosses the
@@ -125,57 +130,61 @@ void PaperScheme::prepare(CanvasState& state, const StepInput& in) {
         close_edge_row(y, state.geometry.width, state.geometry.height, cells, u, v);
       }
       rheology_of_row(state, in, rheology, y, cells, planes_);
+      // R18, R19, while the row's pigment is at hand.
+      if (may_move_) weigh_layers(state, in, y, cells);
     }
   });
 }
 
-void PaperScheme::trace(const CanvasState& state, const StepInput& in) {
-  for_live_rows(in, [&](int y, Columns cells) {
+const Field<float>& PaperScheme::solve_height(const CanvasState& state, const StepInput& in) {
+  const auto trace = [&](int y, Columns cells) {
     trace_row(constants_, state, y, cells,
               {planes_.u_m_s[0].row(y), planes_.v_m_s[0].row(y), planes_.system.centre.row(y),
                planes_.mobility_frac});
-  });
-}
-
-const Field<float>& PaperScheme::solve_height(const CanvasState& state, const StepInput& in) {
-  for_live_rows(in, [&](int y, Columns cells) {
-    build_height_system_row(constants_, state, y, cells, planes_);
-  });
-  // R9: Jacobi sweeps from the old height; the last one keeps the height between base and full.
+  };
   const int sweeps = in.model.jacobi_iterations;
-  for_sweeps(in.threads, rows_.row_begin(), rows_.row_end(), sweeps, [&](int sweep, int y) {
-    const Columns cells = rows_.live(y);
-    if (cells.empty()) return;
+  const auto sweep_row = [&](int sweep, int y, Columns cells) {
     Field<float>& to = planes_.height_m[at((sweep + 1) % 2)];
     sweep_height_row(planes_.system, planes_.height_m[at(sweep % 2)], y, cells, to.row(y));
     if (sweep + 1 == sweeps)
       limit_height_row(state.base_m, constants_.max_medium_m, y, cells, to.row(y));
+  };
+  // R8: velocity and height are carried along, by tracing each cell back. R6, R7: the system. R9:
+  // Jacobi sweeps from the old height; the last one keeps the height between base and full.
+  for_stages_of_rows(in, 2 + sweeps, [&](int stage, int y, Columns cells) {
+    if (stage == 0) return trace(y, cells);
+    if (stage == 1) return build_height_system_row(constants_, state, y, cells, planes_);
+    sweep_row(stage - 2, y, cells);
   });
   return planes_.height_m[at(sweeps % 2)];
 }
 
 std::size_t PaperScheme::solve_velocity(const CanvasState& state, const StepInput& in,
                                         const Field<float>& height_m) {
-  for_live_rows(in, [&](int y, Columns cells) {
+  const auto accelerate = [&](int y, Columns cells) {
     accelerate_row(constants_, state, height_m, y, cells, planes_);
     impose_brush_row(in.contact, y, cells, planes_.u_m_s[0].row(y), planes_.v_m_s[0].row(y));
     build_viscosity_row(constants_, y, cells, planes_);
-  });
-  // R13, A9: the viscosity by as many sweeps; the right side stays in the first buffer.
+  };
+  // The right side stays in the first buffer. After so many sweeps the velocity is in this one.
+  const auto buffer = [](int done) { return at(done == 0 ? 0 : done % 2 == 1 ? 1 : 2); };
   const Velocity right_side{planes_.u_m_s[0], planes_.v_m_s[0]};
   const int sweeps = in.model.jacobi_iterations;
-  // After so many sweeps the velocity is in this buffer.
-  const auto buffer = [](int done) { return at(done == 0 ? 0 : done % 2 == 1 ? 1 : 2); };
-  for_sweeps(in.threads, rows_.row_begin(), rows_.row_end(), sweeps, [&](int sweep, int y) {
-    const Columns cells = rows_.live(y);
-    if (cells.empty()) return;
+  const std::size_t latest = buffer(sweeps);
+  const auto sweep_row = [&](int sweep, int y, Columns cells) {
     const std::size_t from = buffer(sweep), to = buffer(sweep + 1);
     sweep_viscosity_row(planes_.system, right_side, {planes_.u_m_s[from], planes_.v_m_s[from]}, y,
                         cells, planes_.u_m_s[to].row(y), planes_.v_m_s[to].row(y));
+  };
+  // R10, R11, R15: slope and gravity. R13, A9: the viscosity by as many sweeps. R14, R17, R16:
+  // limits, brush and edge once more, on the result.
+  for_stages_of_rows(in, 1 + sweeps, [&](int stage, int y, Columns cells) {
+    if (stage == 0)
+      accelerate(y, cells);
+    else
+      sweep_row(stage - 1, y, cells);
+    if (stage == sweeps) finish_row(state, in, latest, y);
   });
-  const std::size_t latest = buffer(sweeps);
-  // R14, R17, R16: limits, brush and edge once more, on the result.
-  for_live_rows(in, [&](int y, Columns) { finish_row(state, in, latest, y); });
   return latest;
 }
 
@@ -199,24 +208,51 @@ void PaperScheme::finish_row(const CanvasState& state, const StepInput& in, std:
   row_speed2_[at(y)] = speed2;
 }
 
+void PaperScheme::weigh_layers(const CanvasState& state, const StepInput& in, int y,
+                               Columns cells) {
+  // R19: what of the bottom layer sticks; R18: how many layers share the film.
+  find_free_row(state, in.amount, constants_.residue, y, cells, planes_);
+  count_layers_row(state, y, cells, planes_);
+}
+
 void PaperScheme::advect_pigment(CanvasState& state, const StepInput& in, std::size_t velocity) {
   // Nothing moves: the pigment stays.
   if (travel_cells_ == 0) return;
   for_travel_rows(in, [&](int y) {
-    // R19: what of the bottom layer sticks; R18: how many layers share the film.
-    find_free_row(state, in.amount, constants_.residue, y, travel_columns_, planes_);
-    if (!rows_.live(y).empty()) count_layers_row(state, y, row_flow_[at(y)], planes_);
+    const Columns weighed = may_move_ ? rows_.live(y) : Columns{};
+    for (const Columns& cells : around(weighed, travel_columns_))
+      if (!cells.empty()) weigh_layers(state, in, y, cells);
   });
+  // Where paint flows in most cells, planes are exchanged, for less is to be copied then.
+  std::int64_t flowing = 0;
+  for (int y = rows_.row_begin(); y < rows_.row_end(); ++y)
+    if (!rows_.live(y).empty()) flowing += static_cast<std::int64_t>(row_flow_[at(y)].count());
+  const std::int64_t cells = std::int64_t{state.geometry.width} * state.geometry.height;
+  const bool mostly_flows = 2 * flowing > cells;
   for (int layer = 0; layer < state.layers; ++layer) {
     for_live_rows(in, [&](int y, Columns) {
       // R8, R18: one layer at a time, traced back with its own velocity.
       advect_pigment_row(constants_, state, layer, planes_.u_m_s[velocity].row(y),
                          planes_.v_m_s[velocity].row(y), y, row_flow_[at(y)], planes_);
     });
-    for_live_rows(in, [&](int y, Columns) {
-      row_changed_[at(y)] |= store_pigment_row(planes_, layer, y, row_flow_[at(y)], state) ? 1 : 0;
-    });
+    store_layer(state, in, layer, mostly_flows);
   }
+}
+
+void PaperScheme::store_layer(CanvasState& state, const StepInput& in, int layer,
+                              bool mostly_flows) {
+  const auto flow = [&](int y) { return rows_.live(y).empty() ? Columns{} : row_flow_[at(y)]; };
+  if (!mostly_flows) {
+    for_live_rows(in, [&](int y, Columns) {
+      row_changed_[at(y)] |= store_pigment_row(planes_, layer, y, flow(y), state) ? 1 : 0;
+    });
+    return;
+  }
+  in.threads.for_ranges(0, state.geometry.height, kRowsPerTask, [&](int begin, int end) {
+    for (int y = begin; y < end; ++y)
+      row_changed_[at(y)] |= complete_pigment_row(state, layer, y, flow(y), planes_) ? 1 : 0;
+  });
+  exchange_pigment(layer, state, planes_);
 }
 
 float PaperScheme::fastest_m_s() const {
@@ -246,8 +282,6 @@ void PaperScheme::store_velocity(CanvasState& state, const StepInput& in, std::s
     // Outside the live cells the buffers hold old numbers; inside the rectangle they must hold 0.
     clear_around(rows_.live(y), box, u.row(y));
     clear_around(rows_.live(y), box, v.row(y));
-    for (Field<float>* f : {&inflow.u_m_s, &inflow.v_m_s, &inflow.count})
-      std::fill(f->row(y) + box.begin, f->row(y) + box.end, 0.0f);
     if (travel_cells_ > 0 && !rows_.live(y).empty())
       advance_front_along_row(constants_, state, in.contact, {u, v}, y, row_flow_[at(y)], inflow);
   });
@@ -258,11 +292,21 @@ void PaperScheme::store_velocity(CanvasState& state, const StepInput& in, std::s
                                   travel_rows_.begin, travel_rows_.end, inflow);
     });
   for_travel_rows(in, [&](int y) {
-    // R16 for what came in, then the velocity that stays in the state.
-    close_edge_row(y, state.geometry.width, state.geometry.height, box, inflow.u_m_s.row(y),
-                   inflow.v_m_s.row(y));
-    if (update_velocity_row(in.contact, {u, v}, inflow, y, box, state)) row_changed_[at(y)] = 1;
+    if (settle_row(state, in, velocity, y)) row_changed_[at(y)] = 1;
   });
+}
+
+bool PaperScheme::settle_row(CanvasState& state, const StepInput& in, std::size_t velocity, int y) {
+  const Columns box = travel_columns_;
+  const Velocity own{planes_.u_m_s[velocity], planes_.v_m_s[velocity]};
+  FrontInflow& inflow = planes_.inflow;
+  if (!any_inflow(inflow, y, box)) return update_velocity_row(own, y, box, state);
+  // R16 for what came in, then the velocity that stays in the state.
+  close_edge_row(y, state.geometry.width, state.geometry.height, box, inflow.u_m_s.row(y),
+                 inflow.v_m_s.row(y));
+  const bool changed = update_velocity_row(in.contact, own, inflow, y, box, state);
+  clear_inflow(y, box, inflow);
+  return changed;
 }
 
 std::vector<std::pair<std::string, double>> PaperScheme::statistics() const {

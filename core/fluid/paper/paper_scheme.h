@@ -28,21 +28,27 @@ class PaperScheme : public FluidScheme {
 
  private:
   void prepare(CanvasState& state, const StepInput& in);
-  void trace(const CanvasState& state, const StepInput& in);
   const Field<float>& solve_height(const CanvasState& state, const StepInput& in);
   /// Returns the index of the velocity buffer that holds the result.
   std::size_t solve_velocity(const CanvasState& state, const StepInput& in,
                              const Field<float>& height_m);
   /// Finds the rectangle that paint can have come from or got to in this step.
   void find_travel(const CanvasState& state);
+  void weigh_layers(const CanvasState& state, const StepInput& in, int y, Columns cells);
   void advect_pigment(CanvasState& state, const StepInput& in, std::size_t velocity);
+  /// Gives the state a layer's pigment where it has gone to.
+  void store_layer(CanvasState& state, const StepInput& in, int layer, bool mostly_flows);
   template <typename Body>
   void for_live_rows(const StepInput& in, Body body) const;
+  template <typename Body>
+  void for_stages_of_rows(const StepInput& in, int stages, Body body) const;
   template <typename Body>
   void for_travel_rows(const StepInput& in, Body body) const;
   void finish_row(const CanvasState& state, const StepInput& in, std::size_t velocity, int y);
   /// Lets fronts advance and stores the velocity.
   void store_velocity(CanvasState& state, const StepInput& in, std::size_t velocity);
+  /// Stores the velocity of row y. Returns whether any bit changed.
+  bool settle_row(CanvasState& state, const StepInput& in, std::size_t velocity, int y);
   float fastest_m_s() const;
 
   StepConstants constants_{};
@@ -52,7 +58,8 @@ class PaperScheme : public FluidScheme {
   std::vector<Columns> row_flow_;  // where the new velocity is not 0
   std::vector<float> row_speed2_;  // the largest square of its speed, (m/s)^2
   Columns travel_columns_, travel_rows_;
-  int travel_cells_ = 0;  // the fastest paint's travel, rounded up; 0 when all stands
+  int travel_cells_ = 0;   // the fastest paint's travel, rounded up; 0 when all stands
+  bool may_move_ = false;  // paint moved in the last step, or a brush moves it
   double max_speed_m_s_ = 0;
   double live_frac_sum_ = 0;
   std::int64_t steps_ = 0;

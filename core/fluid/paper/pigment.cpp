@@ -109,25 +109,20 @@ void advect_pigment_cells(const StepConstants& k, const CanvasState& state, int 
 void advect_pigment_row(const StepConstants& k, const CanvasState& state, int layer,
                         const float* u_m_s, const float* v_m_s, int y, Columns cells,
                         Planes& planes) {
-  const GridShape grid = shape_of(state.depth_m);
-  NearDepartures from;
-  std::array<float, kTogether> share;
-  const auto near = [&](int x, int n) {
-    layer_shares(layer, planes.occupied.row(y) + x, n, share.data());
-    const float *u = u_m_s + x, *v = v_m_s + x;
-    const NearCells some{x, y, n, grid.width - 1, grid.height - 1, u, v, share.data()};
-    if (!find_near(k, some, from)) return false;
-    for (int c = 0; c < state.channels; ++c) {
-      const NearRows pigment = rows_near(state.channel(layer, c), x, y, from);
-      float* arrived = planes.pigment[static_cast<std::size_t>(c)].row(y) + x;
-      if (layer == 0)
-        arrive_near_free(from, pigment, rows_near(planes.free_frac, x, y, from), n, arrived);
-      else
-        arrive_near(from, pigment, n, arrived);
-    }
-    return true;
+  const NearRow row{
+      y, shape_of(state.depth_m), u_m_s, v_m_s, layer, planes.occupied.row(y),
   };
-  for_near_cells(cells, grid.width, kTogether, near, [&](int begin, int end) {
+  const auto near = [&](const NearDepartures& from) {
+    for (int c = 0; c < state.channels; ++c) {
+      const Field<float>& pigment = state.channel(layer, c);
+      Field<float>& arrived = planes.pigment[static_cast<std::size_t>(c)];
+      if (layer == 0)
+        arrive_near_free(from, pigment, planes.free_frac, y, arrived);
+      else
+        arrive_near(from, pigment, y, arrived);
+    }
+  };
+  for_near_cells(k, row, cells, near, [&](int begin, int end) {
     advect_pigment_cells(k, state, layer, u_m_s, v_m_s, y, {begin, end}, planes);
   });
 }
@@ -143,6 +138,25 @@ bool store_pigment_row(const Planes& planes, int layer, int y, Columns cells, Ca
     changed = true;
   }
   return changed;
+}
+
+bool complete_pigment_row(const CanvasState& state, int layer, int y, Columns cells,
+                          Planes& planes) {
+  bool differs = false;
+  for (int c = 0; c < state.channels; ++c) {
+    const float* from = state.channel(layer, c).row(y);
+    float* to = planes.pigment[static_cast<std::size_t>(c)].row(y);
+    differs |= !cells.empty() && std::memcmp(from + cells.begin, to + cells.begin,
+                                             cells.count() * sizeof(float)) != 0;
+    for (const Columns& rest : around(cells, {0, state.geometry.width}))
+      std::copy_n(from + rest.begin, rest.count(), to + rest.begin);
+  }
+  return differs;
+}
+
+void exchange_pigment(int layer, CanvasState& state, Planes& planes) {
+  for (int c = 0; c < state.channels; ++c)
+    swap(state.channel(layer, c), planes.pigment[static_cast<std::size_t>(c)]);
 }
 
 }  // namespace pentimento::paper

@@ -44,4 +44,12 @@ void advect_pigment_cells(const StepConstants& k, const CanvasState& state, int 
 /// Copies row y of the layer back from planes.pigment. Returns whether any bit changed.
 bool store_pigment_row(const Planes& planes, int layer, int y, Columns cells, CanvasState& state);
 
+/// Copies to planes.pigment what row y has outside `cells`, so that the planes can take the place
+/// of the layer's. Returns whether any bit of `cells` differs.
+bool complete_pigment_row(const CanvasState& state, int layer, int y, Columns cells,
+                          Planes& planes);
+
+/// Exchanges the layer's planes with planes.pigment.
+void exchange_pigment(int layer, CanvasState& state, Planes& planes);
+
 }  // namespace pentimento::paper

@@ -1,6 +1,21 @@
 #include "core/fluid/paper/planes.h"
 
+#include "core/base/kernel.h"
+
 namespace pentimento::paper {
+
+namespace {
+
+PENTIMENTO_KERNEL
+void fill_height_and_wet(const float* __restrict depth_m, const float* __restrict base_m,
+                         Columns cells, float* __restrict height_m, float* __restrict wet) {
+  for (int x = cells.begin; x < cells.end; ++x) {
+    height_m[x] = depth_m[x] + base_m[x];
+    wet[x] = depth_m[x] > 0.0f ? 1.0f : 0.0f;
+  }
+}
+
+}  // namespace
 
 Planes make_planes(int width, int height, int channels) {
   Planes p;
@@ -16,19 +31,19 @@ Planes make_planes(int width, int height, int channels) {
   return p;
 }
 
-void prepare_margin_row(const CanvasState& state, int y, Columns margin, Planes& planes) {
+void prepare_margin_row(const CanvasState& state, int y, Columns margin, Columns live,
+                        Planes& planes) {
   const float* d = state.depth_m.row(y);
   const float* b = state.base_m.row(y);
-  float* h = planes.height_m[0].row(y);
-  float* wet = planes.wet.row(y);
-  for (int x = margin.begin; x < margin.end; ++x) {
-    h[x] = d[x] + b[x];
-    wet[x] = d[x] > 0.0f ? 1.0f : 0.0f;
+  float *h = planes.height_m[0].row(y), *other_h = planes.height_m[1].row(y);
+  fill_height_and_wet(d, b, margin, h, planes.wet.row(y));
+  for (const Columns& outside : around(live, margin)) {
+    std::copy_n(h + outside.begin, outside.count(), other_h + outside.begin);
+    for (auto* component : {&planes.u_m_s, &planes.v_m_s})
+      for (Field<float>& f : *component)
+        std::fill_n(f.row(y) + outside.begin, outside.count(), 0.0f);
+    std::fill_n(planes.moved.row(y) + outside.begin, outside.count(), std::uint8_t{0});
   }
-  std::copy_n(h + margin.begin, margin.count(), planes.height_m[1].row(y) + margin.begin);
-  for (auto* component : {&planes.u_m_s, &planes.v_m_s})
-    for (Field<float>& f : *component) std::fill_n(f.row(y) + margin.begin, margin.count(), 0.0f);
-  std::fill_n(planes.moved.row(y) + margin.begin, margin.count(), std::uint8_t{0});
 }
 
 }  // namespace pentimento::paper

@@ -23,7 +23,7 @@ struct Velocity {
 };
 
 /// Sums of the velocities of the films that reach a thin cell, and the number of these films
-/// (wet_front.h).
+/// (wet_front.h). All 0 between steps.
 struct FrontInflow {
   Field<float> u_m_s, v_m_s, count;
 };
@@ -44,8 +44,10 @@ struct Planes {
 
 Planes make_planes(int width, int height, int channels);
 
-/// Fills row y of what the kernels read: height and wetness over `margin`, and velocities of 0
-/// there.
-void prepare_margin_row(const CanvasState& state, int y, Columns margin, Planes& planes);
+/// Fills row y of what the kernels read before anything writes it: height and wetness over
+/// `margin`; and where `margin` goes beyond `live`, the height of the second buffer, and velocities
+/// of 0.
+void prepare_margin_row(const CanvasState& state, int y, Columns margin, Columns live,
+                        Planes& planes);
 
 }  // namespace pentimento::paper

@@ -7,6 +7,7 @@
 #include "core/base/kernel.h"
 #include "core/fluid/paper/departure.h"
 #include "core/fluid/paper/near_departures.h"
+#include "core/fluid/paper/near_values.h"
 
 namespace pentimento::paper {
 
@@ -17,41 +18,44 @@ std::pair<int, int> nearest(const Departure& p) {
   return {p.fx < 0.5f ? p.x0 : p.x1, p.fy < 0.5f ? p.y0 : p.y1};
 }
 
-/// Cells traced at a time. At the surface departure points part sooner than in the layers below,
-/// and cells whose points part are traced one by one (docs/bench/paper_scheme.md has the times).
-constexpr int kTracedTogether = 32;
-static_assert(kTracedTogether <= kTogether);
-
-/// The planes that are traced, around some cells of a row.
-struct NearFluid {
-  NearRows u_m_s, v_m_s, depth_m, base_m;
+/// What the planes hold at the departure points.
+struct TracedValues {
+  NearValues u_m_s, v_m_s, depth_m, base_m;
 };
 
-/// trace_cells() but for the mobility. Says for each cell whether a film came into a thinner one
-/// than `dry_film_m`, and returns whether any did.
+/// trace_cells() of the groups that have a side, but for the mobility, given the traced values and
+/// the row's own depth and base. Says for each cell whether a film came into a thinner one than
+/// `dry_film_m`, and returns whether any did.
 PENTIMENTO_KERNEL
-bool trace_near(const NearDepartures& departures, const NearFluid& given, float dry_film_m, int n,
-                float* __restrict u_m_s, float* __restrict v_m_s, float* __restrict height_m,
-                std::int32_t* __restrict entered) {
-  const NearFluid fluid = given;
+bool trace_groups(const NearDepartures& departures, const TracedValues& values,
+                  const float* depth_row, const float* base_row, float dry_film_m,
+                  const TracedRow& out, std::int32_t* entered_cells) {
+  const int groups = departures.groups;
   std::int32_t any = 0;
-  PENTIMENTO_INDEPENDENT
-  for (int i = 0; i < n; ++i) {
-    const auto at = [&](const NearRows& plane) {
-      return interpolate_near(
-          departures, i, [&](int row, int column) { return value_near(plane, i, row, column); });
-    };
-    const float traced_depth = at(fluid.depth_m), own_depth = fluid.depth_m.here[i];
-    const std::int32_t wet = (own_depth != 0 ? 1 : 0) | (traced_depth != 0 ? 1 : 0);
-    const std::int32_t goes = departures.moves[static_cast<std::size_t>(i)] & wet;
-    const float u = at(fluid.u_m_s), v = at(fluid.v_m_s);
-    const float height = traced_depth + at(fluid.base_m);
-    const float own_height = own_depth + fluid.base_m.here[i];
-    u_m_s[i] = goes != 0 ? u : 0.0f;
-    v_m_s[i] = goes != 0 ? v : 0.0f;
-    height_m[i] = goes != 0 ? height : own_height;
-    entered[i] = goes & (own_depth < dry_film_m ? 1 : 0);
-    any |= entered[i];
+  for (int g = 0; g < groups; ++g) {
+    const NearGroup& group = departures.group[static_cast<std::size_t>(g)];
+    if (group.side == 0) continue;
+    const auto first = static_cast<std::size_t>(g) * kGroupCells;
+    const std::int32_t* choice = departures.choice.data() + first;
+    const float *traced_u = values.u_m_s.data() + first, *traced_v = values.v_m_s.data() + first;
+    const float* traced_depth = values.depth_m.data() + first;
+    const float* traced_base = values.base_m.data() + first;
+    const float *depth = depth_row + group.x, *base = base_row + group.x;
+    float* __restrict u_m_s = out.u_m_s + group.x;
+    float* __restrict v_m_s = out.v_m_s + group.x;
+    float* __restrict height_m = out.height_m + group.x;
+    std::int32_t* __restrict entered = entered_cells + first;
+    PENTIMENTO_INDEPENDENT
+    for (int i = 0; i < kGroupCells; ++i) {
+      const std::int32_t wet = (depth[i] != 0 ? 1 : 0) | (traced_depth[i] != 0 ? 1 : 0);
+      const std::int32_t goes = ((choice[i] & kMovesBit) != 0 ? 1 : 0) & wet;
+      const float height = traced_depth[i] + traced_base[i], own_height = depth[i] + base[i];
+      u_m_s[i] = goes != 0 ? traced_u[i] : 0.0f;
+      v_m_s[i] = goes != 0 ? traced_v[i] : 0.0f;
+      height_m[i] = goes != 0 ? height : own_height;
+      entered[i] = goes & (depth[i] < dry_film_m ? 1 : 0);
+      any |= entered[i];
+    }
   }
   return any != 0;
 }
@@ -64,46 +68,46 @@ void take_mobility(const StepConstants& k, const CanvasState& state, int x, int 
     mobility_frac(x, y) = mobility_frac(from_x, from_y);
 }
 
-/// take_mobility() where a film came into a thinner cell.
-void take_mobility_near(const StepConstants& k, const CanvasState& state, const NearCells& cells,
+/// take_mobility() where a film came into a thinner cell of the groups.
+void take_mobility_near(const StepConstants& k, const CanvasState& state, int y,
                         const NearDepartures& from, const std::int32_t* entered,
                         Field<float>& mobility_frac) {
-  for (int i = 0; i < cells.n; ++i) {
-    if (entered[i] == 0) continue;
-    const auto at = static_cast<std::size_t>(i);
-    const int x0 = cells.x + i + from.column[at], y0 = cells.y + from.row[at];
-    take_mobility(k, state, cells.x + i, cells.y, from.fx[at] < 0.5f ? x0 : x0 + 1,
-                  from.fy[at] < 0.5f ? y0 : std::min(y0 + 1, cells.last_y), mobility_frac);
+  const int last_y = state.geometry.height - 1;
+  for (int g = 0; g < from.groups; ++g) {
+    const NearGroup& group = from.group[static_cast<std::size_t>(g)];
+    for (int i = 0; group.side != 0 && i < kGroupCells; ++i) {
+      const auto at = static_cast<std::size_t>(g * kGroupCells + i);
+      if (entered[at] == 0) continue;
+      const std::int32_t choice = from.choice[at];
+      const int x = group.x + i;
+      const int x0 = x + group.shift_x + chosen_of_three(choice, kFirstColumnBit, kThirdColumnBit);
+      const int y0 = y + group.shift_y + chosen_of_three(choice, kFirstRowBit, kThirdRowBit);
+      take_mobility(k, state, x, y, from.fx[at] < 0.5f ? x0 : x0 + 1,
+                    from.fy[at] < 0.5f ? y0 : std::min(y0 + 1, last_y), mobility_frac);
+    }
   }
-}
-
-constexpr std::array<float, kTogether> whole_shares() {
-  std::array<float, kTogether> share{};
-  share.fill(1);
-  return share;
 }
 
 }  // namespace
 
 void trace_row(const StepConstants& k, const CanvasState& state, int y, Columns cells,
                const TracedRow& out) {
-  static constexpr std::array<float, kTogether> kWhole = whole_shares();
-  const GridShape grid = shape_of(state.depth_m);
-  NearDepartures from;
-  std::array<std::int32_t, kTogether> entered;
-  const auto near = [&](int x, int n) {
-    const float *u = state.velocity_x_m_s.row(y) + x, *v = state.velocity_y_m_s.row(y) + x;
-    const NearCells some{x, y, n, grid.width - 1, grid.height - 1, u, v, kWhole.data()};
-    if (!find_near(k, some, from)) return false;
-    const auto rows = [&](const Field<float>& plane) { return rows_near(plane, x, y, from); };
-    const NearFluid fluid{rows(state.velocity_x_m_s), rows(state.velocity_y_m_s),
-                          rows(state.depth_m), rows(state.base_m)};
-    if (trace_near(from, fluid, k.dry_film_m, n, out.u_m_s + x, out.v_m_s + x, out.height_m + x,
-                   entered.data()))
-      take_mobility_near(k, state, some, from, entered.data(), out.mobility_frac);
-    return true;
+  const NearRow row{
+      y,       shape_of(state.depth_m), state.velocity_x_m_s.row(y), state.velocity_y_m_s.row(y), 0,
+      nullptr,
   };
-  for_near_cells(cells, grid.width, kTracedTogether, near, [&](int begin, int end) {
+  TracedValues values;
+  std::array<std::int32_t, kMostCells> entered;
+  const auto near = [&](const NearDepartures& from) {
+    interpolate_near(from, state.velocity_x_m_s, values.u_m_s);
+    interpolate_near(from, state.velocity_y_m_s, values.v_m_s);
+    interpolate_near(from, state.depth_m, values.depth_m);
+    interpolate_near(from, state.base_m, values.base_m);
+    if (trace_groups(from, values, state.depth_m.row(y), state.base_m.row(y), k.dry_film_m, out,
+                     entered.data()))
+      take_mobility_near(k, state, y, from, entered.data(), out.mobility_frac);
+  };
+  for_near_cells(k, row, cells, near, [&](int begin, int end) {
     trace_cells(k, state, y, {begin, end}, out);
   });
 }

@@ -1,5 +1,6 @@
 #include "core/fluid/paper/wet_front.h"
 
+#include "core/base/any_not_zero.h"
 #include "core/base/kernel.h"
 
 namespace pentimento::paper {
@@ -107,6 +108,31 @@ void advance_front_along_columns(const StepConstants& k, const CanvasState& stat
       advance(along, {x, y, 0, ahead - y}, velocity, inflow);
     }
   }
+}
+
+bool any_inflow(const FrontInflow& inflow, int y, Columns cells) {
+  return any_not_zero(inflow.count.row(y) + cells.begin, static_cast<int>(cells.count()));
+}
+
+void clear_inflow(int y, Columns cells, FrontInflow& inflow) {
+  for (Field<float>* f : {&inflow.u_m_s, &inflow.v_m_s, &inflow.count})
+    std::fill_n(f->row(y) + cells.begin, cells.count(), 0.0f);
+}
+
+PENTIMENTO_KERNEL
+bool update_velocity_row(const Velocity& velocity, int y, Columns cells, CanvasState& state) {
+  const float* d = state.depth_m.row(y);
+  const float *u = velocity.u_m_s.row(y), *v = velocity.v_m_s.row(y);
+  float* out_u = state.velocity_x_m_s.row(y);
+  float* out_v = state.velocity_y_m_s.row(y);
+  int changed = 0;
+  for (int x = cells.begin; x < cells.end; ++x) {
+    const float new_u = d[x] > 0.0f ? u[x] : 0.0f, new_v = d[x] > 0.0f ? v[x] : 0.0f;
+    changed |= static_cast<int>(new_u != out_u[x]) | static_cast<int>(new_v != out_v[x]);
+    out_u[x] = new_u;
+    out_v[x] = new_v;
+  }
+  return changed != 0;
 }
 
 PENTIMENTO_KERNEL

@@ -25,6 +25,12 @@ void advance_front_along_columns(const StepConstants& k, const CanvasState& stat
                                  const BrushContact& contact, const Velocity& velocity,
                                  Columns cells, int row_begin, int row_end, FrontInflow& inflow);
 
+/// Whether a film reaches any of the cells of row y.
+bool any_inflow(const FrontInflow& inflow, int y, Columns cells);
+
+/// Forgets the films that reach the cells of row y.
+void clear_inflow(int y, Columns cells, FrontInflow& inflow);
+
 /// Writes the velocity that the step leaves in row y. Returns whether any bit changed.
 ///   thin cells (d < dry film) that films reach: the mean of the velocities of these films;
 ///   bare paper that no film reaches: 0; all other cells: their own velocity
@@ -32,5 +38,8 @@ void advance_front_along_columns(const StepConstants& k, const CanvasState& stat
 /// Stamped wet cells keep the brush's velocity (R17). The caller closes the edge (R16) in both.
 bool update_velocity_row(const BrushContact& contact, const Velocity& velocity,
                          const FrontInflow& inflow, int y, Columns cells, CanvasState& state);
+
+/// The same where no film reaches a cell.
+bool update_velocity_row(const Velocity& velocity, int y, Columns cells, CanvasState& state);
 
 }  // namespace pentimento::paper

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "core/base/random.h"
-#include "core/fluid/paper/near_pigment.h"
 #include "tests/core/fluid/paper/canvases.h"
 
 namespace pentimento::paper {
@@ -149,29 +148,32 @@ TEST(Pigment, VectorsGiveTheBitsOfSingleCells) {
   }
 }
 
-// Three columns and three rows hold the departure points of paint that drifts evenly.
-TEST(Pigment, PaintThatMovesAlikeComesFromNextToEachOther) {
-  TestCanvas canvas(150, 9);
-  const StepInput in{canvas.model,   canvas.gravity, canvas.dt_s,
-                     canvas.contact, canvas.amount,  canvas.threads};
-  const StepConstants k = make_step_constants(canvas.state.geometry, in);
-  const float cell_m_s = k.dx_m / k.dt_s;
-  const std::vector<float> half(kTogether, 0.5f);
-  NearDepartures found;
-  const auto near = [&](float drift_cells, float other_cells, int x) {
-    std::vector<float> u(kTogether, 2 * drift_cells * cell_m_s), v(kTogether, 0);
-    u[3] = 2 * other_cells * cell_m_s;
-    return find_near(k, {x, 4, kTogether, 149, 8, u.data(), v.data(), half.data()}, found);
-  };
-  EXPECT_TRUE(near(0.5f, -0.5f, 40));
-  EXPECT_EQ(found.shift_x, -1);
-  EXPECT_EQ(found.shift_y, 0);
-  EXPECT_TRUE(near(5.25f, 4.5f, 40));
-  EXPECT_EQ(found.shift_x, -6);
-  EXPECT_FALSE(near(1.5f, -0.5f, 40));  // four columns
-  EXPECT_FALSE(near(5.25f, 4.5f, 5));   // a column beyond the canvas
-  EXPECT_TRUE(near(0, 0, 40));
-  EXPECT_EQ(found.moves[3], 0);
+// Planes that take the place of a layer's hold what would have been copied to it.
+TEST(Pigment, ExchangedPlanesHoldWhatIsStored) {
+  constexpr int kWide = 70, kHigh = 3;
+  TestCanvas stored(kWide, kHigh), exchanged(kWide, kHigh);
+  Planes planes = make_planes(kWide, kHigh, 2);
+  std::uint32_t n = 0;
+  const auto share = [&] { return random_uniform(RandomPurpose::kBristle, 6, ++n); };
+  for (int c = 0; c < 2; ++c)
+    for (int y = 0; y < kHigh; ++y)
+      for (int x = 0; x < kWide; ++x) {
+        stored.state.channel(1, c)(x, y) = exchanged.state.channel(1, c)(x, y) = share();
+        planes.pigment[static_cast<std::size_t>(c)](x, y) = share();
+      }
+  const std::vector<Columns> flow = {{3, 60}, {}, {0, kWide}};  // of each row
+  for (int y = 0; y < kHigh; ++y) {
+    const Columns cells = flow[static_cast<std::size_t>(y)];
+    const bool changed = store_pigment_row(planes, 1, y, cells, stored.state);
+    EXPECT_EQ(changed, !cells.empty());
+    EXPECT_EQ(complete_pigment_row(exchanged.state, 1, y, cells, planes), changed);
+  }
+  exchange_pigment(1, exchanged.state, planes);
+  for (int c = 0; c < 2; ++c)
+    EXPECT_TRUE(paper::same_bits(stored.state.channel(1, c), exchanged.state.channel(1, c)));
+  // What now lies there differs nowhere from itself.
+  for (int y = 0; y < kHigh; ++y)
+    EXPECT_FALSE(complete_pigment_row(stored.state, 1, y, {}, planes));
 }
 
 }  // namespace
