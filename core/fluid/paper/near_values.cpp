@@ -73,13 +73,15 @@ inline void fetch_below(const float* plane, const NearGroup& group) {
   fetch_ahead(plane + group.ahead, 1);
 }
 
-PENTIMENTO_KERNEL
-void interpolate_narrow(const NearDepartures& departures, const float* plane,
-                        float* __restrict all_values) {
+/// interpolate() in the groups of one side. A kernel for each side: the loop of one that had both
+/// would be no vector's.
+template <int kSide>
+PENTIMENTO_KERNEL void interpolate_groups(const NearDepartures& departures, const float* plane,
+                                          float* __restrict all_values) {
   const int groups = departures.groups;
   for (int n = 0; n < groups; ++n) {
     const NearGroup& group = departures.group[static_cast<std::size_t>(n)];
-    if (group.side != kNearSide) continue;
+    if (group.side != kSide) continue;
     const auto first = static_cast<std::size_t>(n) * kGroupCells;
     const GroupCells cells = cells_of(departures, first);
     const NearRows f = rows_near(plane, group);
@@ -87,39 +89,20 @@ void interpolate_narrow(const NearDepartures& departures, const float* plane,
     fetch_below(plane, group);
     PENTIMENTO_INDEPENDENT
     for (int i = 0; i < kGroupCells; ++i)
-      values[i] = interpolate_in_window<kNearSide>(
+      values[i] = interpolate_in_window<kSide>(
           cells.choice[i], cells.fx[i], cells.fy[i],
           [=](int row, int column) { return f.value(i, row, column); });
   }
 }
 
-PENTIMENTO_KERNEL
-void interpolate_wide(const NearDepartures& departures, const float* plane,
-                      float* __restrict all_values) {
+/// The same for the product of two planes.
+template <int kSide>
+PENTIMENTO_KERNEL void interpolate_products(const NearDepartures& departures, const float* plane,
+                                            const float* factor, float* __restrict all_values) {
   const int groups = departures.groups;
   for (int n = 0; n < groups; ++n) {
     const NearGroup& group = departures.group[static_cast<std::size_t>(n)];
-    if (group.side != kWideSide) continue;
-    const auto first = static_cast<std::size_t>(n) * kGroupCells;
-    const GroupCells cells = cells_of(departures, first);
-    const NearRows f = rows_near(plane, group);
-    float* __restrict values = all_values + first;
-    fetch_below(plane, group);
-    PENTIMENTO_INDEPENDENT
-    for (int i = 0; i < kGroupCells; ++i)
-      values[i] = interpolate_in_window<kWideSide>(
-          cells.choice[i], cells.fx[i], cells.fy[i],
-          [=](int row, int column) { return f.value(i, row, column); });
-  }
-}
-
-PENTIMENTO_KERNEL
-void multiply_narrow(const NearDepartures& departures, const float* plane, const float* factor,
-                     float* __restrict all_values) {
-  const int groups = departures.groups;
-  for (int n = 0; n < groups; ++n) {
-    const NearGroup& group = departures.group[static_cast<std::size_t>(n)];
-    if (group.side != kNearSide) continue;
+    if (group.side != kSide) continue;
     const auto first = static_cast<std::size_t>(n) * kGroupCells;
     const GroupCells cells = cells_of(departures, first);
     const NearRows f = rows_near(plane, group), g = rows_near(factor, group);
@@ -127,27 +110,7 @@ void multiply_narrow(const NearDepartures& departures, const float* plane, const
     fetch_below(plane, group);
     PENTIMENTO_INDEPENDENT
     for (int i = 0; i < kGroupCells; ++i)
-      values[i] = interpolate_in_window<kNearSide>(
-          cells.choice[i], cells.fx[i], cells.fy[i],
-          [=](int row, int column) { return f.value(i, row, column) * g.value(i, row, column); });
-  }
-}
-
-PENTIMENTO_KERNEL
-void multiply_wide(const NearDepartures& departures, const float* plane, const float* factor,
-                   float* __restrict all_values) {
-  const int groups = departures.groups;
-  for (int n = 0; n < groups; ++n) {
-    const NearGroup& group = departures.group[static_cast<std::size_t>(n)];
-    if (group.side != kWideSide) continue;
-    const auto first = static_cast<std::size_t>(n) * kGroupCells;
-    const GroupCells cells = cells_of(departures, first);
-    const NearRows f = rows_near(plane, group), g = rows_near(factor, group);
-    float* __restrict values = all_values + first;
-    fetch_below(plane, group);
-    PENTIMENTO_INDEPENDENT
-    for (int i = 0; i < kGroupCells; ++i)
-      values[i] = interpolate_in_window<kWideSide>(
+      values[i] = interpolate_in_window<kSide>(
           cells.choice[i], cells.fx[i], cells.fy[i],
           [=](int row, int column) { return f.value(i, row, column) * g.value(i, row, column); });
   }
@@ -157,14 +120,14 @@ void multiply_wide(const NearDepartures& departures, const float* plane, const f
 
 void interpolate_near(const NearDepartures& departures, const Field<float>& plane,
                       NearValues& values) {
-  interpolate_narrow(departures, plane.row(0), values.data());
-  interpolate_wide(departures, plane.row(0), values.data());
+  interpolate_groups<kNearSide>(departures, plane.row(0), values.data());
+  interpolate_groups<kWideSide>(departures, plane.row(0), values.data());
 }
 
 void interpolate_near_product(const NearDepartures& departures, const Field<float>& f,
                               const Field<float>& g, NearValues& values) {
-  multiply_narrow(departures, f.row(0), g.row(0), values.data());
-  multiply_wide(departures, f.row(0), g.row(0), values.data());
+  interpolate_products<kNearSide>(departures, f.row(0), g.row(0), values.data());
+  interpolate_products<kWideSide>(departures, f.row(0), g.row(0), values.data());
 }
 
 }  // namespace pentimento::paper

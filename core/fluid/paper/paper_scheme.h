@@ -34,12 +34,14 @@ class PaperScheme : public FluidScheme {
                              const Field<float>& height_m);
   /// Finds the rectangle that paint can have come from or got to in this step.
   void find_travel(const CanvasState& state);
+  /// Finds what of the bottom layer is free to move, and counts layers.
   void weigh_layers(const CanvasState& state, const StepInput& in, int y, Columns cells);
   void advect_pigment(CanvasState& state, const StepInput& in, std::size_t velocity);
   /// Gives the state a layer's pigment where it has gone to.
   void store_layer(CanvasState& state, const StepInput& in, int layer, bool mostly_flows);
   template <typename Body>
   void for_live_rows(const StepInput& in, Body body) const;
+  /// Calls body(stage, y, cells) for all stages of all live rows, in the order of for_sweeps().
   template <typename Body>
   void for_stages_of_rows(const StepInput& in, int stages, Body body) const;
   template <typename Body>

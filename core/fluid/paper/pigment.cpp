@@ -109,9 +109,12 @@ void advect_pigment_cells(const StepConstants& k, const CanvasState& state, int 
 void advect_pigment_row(const StepConstants& k, const CanvasState& state, int layer,
                         const float* u_m_s, const float* v_m_s, int y, Columns cells,
                         Planes& planes) {
-  const NearRow row{
-      y, shape_of(state.depth_m), u_m_s, v_m_s, layer, planes.occupied.row(y),
-  };
+  const NearRow row{.y = y,
+                    .grid = shape_of(state.depth_m),
+                    .u_m_s = u_m_s,
+                    .v_m_s = v_m_s,
+                    .layer = layer,
+                    .occupied = planes.occupied.row(y)};
   const auto near = [&](const NearDepartures& from) {
     for (int c = 0; c < state.channels; ++c) {
       const Field<float>& pigment = state.channel(layer, c);

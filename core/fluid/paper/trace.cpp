@@ -92,10 +92,10 @@ void take_mobility_near(const StepConstants& k, const CanvasState& state, int y,
 
 void trace_row(const StepConstants& k, const CanvasState& state, int y, Columns cells,
                const TracedRow& out) {
-  const NearRow row{
-      y,       shape_of(state.depth_m), state.velocity_x_m_s.row(y), state.velocity_y_m_s.row(y), 0,
-      nullptr,
-  };
+  const NearRow row{.y = y,
+                    .grid = shape_of(state.depth_m),
+                    .u_m_s = state.velocity_x_m_s.row(y),
+                    .v_m_s = state.velocity_y_m_s.row(y)};
   TracedValues values;
   std::array<std::int32_t, kMostCells> entered;
   const auto near = [&](const NearDepartures& from) {
