@@ -77,6 +77,11 @@ def probes(m):
     return text
 
 
+def parts_of(phase, m):
+    """How often a conservative pass is done in a step: once, or in each part of the step."""
+    return m.parts() if phase["phase"].startswith("conservative/") and not phase.get("once") else 1
+
+
 def phase_row(phase, m, before, with_work):
     ns, against = m.ns(phase["time"]), m.ns(phase.get("against", ""))
     work = phase.get("work")
@@ -85,7 +90,7 @@ def phase_row(phase, m, before, with_work):
         was = before.ns(phase["time"])
         row += [was, f"{number(was / ns)} x" if was and ns else ""]
     if with_work and work is not None and ns:
-        planes = (work["read"] + work["written"]) * (1 if phase.get("once") else m.parts())
+        planes = (work["read"] + work["written"]) * parts_of(phase, m)
         speed = planes * BYTES / ns
         row += [speed, f"{100 * speed / m.gbytes_s('Probe/triad/DRAM'):.0f} %"]
     elif with_work:
@@ -107,7 +112,7 @@ GROUPS = [
      "roofline's count; its share is of the triad from memory. The last column divides by an update of one plane in "
      "place (`Probe/update/DRAM`)."),
     ("paper", "The published fluid", "The same canvas size, layers and channels; nanoseconds a cell and call. A step "
-     "has {sweeps} of each sweep, the others once, the two of pigment for each layer. Against the same update."),
+     "has {sweeps} of each sweep, the others once, the two of pigment for each layer. GB/s and the last column as above."),
     ("twin", "Beside their plain twins", "The same work by the plain code that the tests hold the fast code to: "
      "whole batches in flat arrays for paint and momentum, double precision cell by cell for the sky and the light "
      "lock. Nanoseconds a cell, or a pixel of a colour."),
@@ -123,12 +128,16 @@ GROUPS = [
 ]
 
 
+# The groups of which the roofline has all passes.
+WITH_WORK = ("conservative", "paper")
+
+
 def all_phases(phases, m, before):
     text = ""
     for prefix, heading, words in GROUPS:
         group = [p for p in phases if p["phase"].startswith(prefix + "/")]
         if group:
-            with_work = prefix == "conservative"
+            with_work = prefix in WITH_WORK
             text += f"## {heading}\n\n{words.format(sweeps=4)}\n\n" + phases_table(group, m, before, with_work)
             if prefix == "conservative":
                 total = sum(m.ns(p["time"]) or 0 for p in group)
@@ -157,8 +166,7 @@ def verdict(ns, limits):
 
 def roofline_row(phase, m):
     work = phase["work"]
-    parts = 1 if phase.get("once") else m.parts()
-    ns = (m.ns(phase["time"]) or 0) * phase.get("items", 1) / parts
+    ns = (m.ns(phase["time"]) or 0) * phase.get("items", 1) / parts_of(phase, m)
     limits = bounds(work, m)
     if phase.get("near_only"):
         limits["memory"] = 0  # its planes are in the second cache
@@ -170,26 +178,33 @@ def roofline_row(phase, m):
 
 ROOFLINE = """## Roofline
 
-What each pass of the conservative step must move and compute for a cell and part of a step, what the probe allows
-at best, and which limit it stands at. Bytes are those between memory and the core if a plane is fetched once in a
-pass: planes read, planes written, 4 bytes each. Operations are additions, multiplications, minima, comparisons,
-selections and bit operations, one each; divisions apart. The second cache's limit is that of all rows that the
-pass's kernels read and write, as often as they do. All are counted in the source, by hand, and declared in
-`tests/bench/phases.json`; the last table says how. A pass within {near} times of its highest limit is said to be bound
-by it; time beyond that goes into what is not counted: calls for each row, rows whose ends are no whole vector,
-loads that straddle cache lines, branches, integers.
+What each pass must move and compute for a cell, what the probe allows at best, and which limit it stands at. Bytes
+are those between memory and the core if a plane is fetched once in a pass: planes read, planes written, 4 bytes each.
+Operations are additions, multiplications, minima, comparisons, selections, shifts and bit operations, one each;
+divisions apart. The second cache's limit is that of all rows that the pass's kernels read and write, as often as they
+do. All are counted in the source, by hand, and declared in `tests/bench/phases.json`; the last column says how. A pass
+within {near} times of its highest limit is said to be bound by it; time beyond that goes into what is not counted:
+calls for each row, rows whose ends are no whole vector, loads that straddle cache lines, branches, integers.
 
 """
+ROOFLINES = [
+    ("conservative", "The conservative fluid", "For a cell and part of a step."),
+    ("paper", "The published fluid", "For a cell and call. What one pass writes the next one may find in the third "
+     "cache, so some take less time than memory allows."),
+    ("brush", "A stamp", "For a covered cell; its planes lie in the second cache."),
+]
 
 
 def roofline(phases, m):
-    passes = [p for p in phases if "work" in p]
     text = ROOFLINE.format(near=NEAR_BOUND)
-    text += table(["pass", "bytes read", "written", "operations", "divisions", "operations a byte", "ns a cell",
-                   "memory allows", "second cache", "arithmetic", "bound by"], [roofline_row(p, m) for p in passes])
-    text += "A stamp's row is of a covered cell; its planes lie in the second cache.\n\n"
-    text += table(["pass", "counted as"],
-                  [[f"`{p['phase'].split('/', 1)[1]}`", p["work"]["counted"]] for p in passes])
+    for prefix, heading, words in ROOFLINES:
+        passes = [p for p in phases if "work" in p and p["phase"].startswith(prefix + "/")]
+        if not passes:
+            continue
+        text += f"### Roofline: {heading[0].lower()}{heading[1:]}\n\n{words}\n\n"
+        text += table(["pass", "bytes read", "written", "operations", "divisions", "operations a byte", "ns a cell",
+                       "memory allows", "second cache", "arithmetic", "bound by", "counted as"],
+                      [[*roofline_row(p, m), p["work"]["counted"]] for p in passes])
     return text
 
 
