@@ -192,6 +192,7 @@ ROOFLINES = [
     ("paper", "The published fluid", "For a cell and call. What one pass writes the next one may find in the third "
      "cache, so some take less time than memory allows."),
     ("brush", "A stamp", "For a covered cell; its planes lie in the second cache."),
+    ("detail", "The detail canvas", "For a fine cell."),
 ]
 
 
