@@ -18,8 +18,12 @@ struct FineSources {
   // Per piece of the line, kEdgesTogether edges each: 1 if their sources and that of the edge
   // behind them lie in cells side by side, one each.
   std::vector<std::uint8_t> in_step;
+  // Per piece: the source cell of its first edge, or the one before, if each other edge's is as far
+  // on as the edge, or one more; else kNotNear.
+  std::vector<int> near;
 };
 inline constexpr int kEdgesTogether = 16;
+inline constexpr int kNotNear = -1;
 
 /// Finds the sources for n + 1 ascending positions of moved edges (fine_edges.h), the first 0, the
 /// last n.

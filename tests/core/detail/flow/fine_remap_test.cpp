@@ -76,7 +76,57 @@ TEST(RemapLine, EdgesInStepAndOthersMoveAsTheEquationsSay) {
     EXPECT_GT(std::count(sources.in_step.begin(), sources.in_step.end(), 1), 0);
     EXPECT_GT(std::count(sources.in_step.begin(), sources.in_step.end(), 0), 1);
     EXPECT_GT(sources.most, 2);
+    // Pieces of all three kinds.
+    std::size_t near = 0, neither = 0;
+    for (std::size_t i = 0; i < sources.near.size(); ++i) {
+      if (sources.in_step[i] != 0) continue;
+      (sources.near[i] != kNotNear ? near : neither) += 1;
+    }
+    EXPECT_GT(near, 0);
+    EXPECT_GT(neither, 0);
   }
+}
+
+// Edges that come from a tenth more or less far: nearly all pieces are near. Cells beside bare ones
+// and cells alone show what is read beside a source.
+TEST(RemapLine, EdgesThatAreNearMoveAsTheEquationsSay) {
+  constexpr std::size_t kCells = 160;
+  for (const float drift : {-2.7f, -0.4f, 0.0f, 0.6f, 3.5f}) {
+    std::vector<float> position(kCells + 1), amount(kCells);
+    for (std::size_t e = 1; e < kCells; ++e) {
+      const float at = static_cast<float>(e);
+      const float from_wall = std::min({1.0f, at / 20, (kCells - at) / 20});
+      position[e] = at + from_wall * drift + 0.1f * static_cast<float>(e * 7 % 5);
+    }
+    position[kCells] = kCells;
+    for (std::size_t i = 0; i < kCells; ++i)
+      amount[i] = i % 13 == 4 ? 0 : i % 29 == 7 ? 40.0f : 1 + static_cast<float>(i * 31 % 17) / 9;
+    FineSources sources;
+    find_sources(position, sources);
+    EXPECT_EQ(moved(position, amount), plainly_moved(sources, amount)) << drift;
+    EXPECT_GE(std::count(sources.near.begin(), sources.near.end(), kNotNear), 1) << "the last";
+    EXPECT_LE(std::count(sources.near.begin(), sources.near.end(), kNotNear), 3) << drift;
+  }
+}
+
+TEST(FindSources, KnowsWhichEdgesAreNear) {
+  const auto near = [](std::size_t edges, const auto& moved_by) {
+    std::vector<float> position(edges);
+    for (std::size_t e = 0; e < edges; ++e)
+      position[e] = static_cast<float>(e) + moved_by(static_cast<int>(e));
+    FineSources sources;
+    find_sources(position, sources);
+    return sources.near;
+  };
+  // All edges stand: each comes from the cell behind it.
+  EXPECT_EQ(near(50, [](int) { return 0.0f; }), (std::vector<int>{0, 16, 32, kNotNear}));
+  // The edges 20 to 25 come from the cell before: that, seen from the piece's first edge.
+  EXPECT_EQ(near(50, [](int e) { return e >= 20 && e < 26 ? 0.5f : 0.0f; })[1], 15);
+  // From two cells before: too far.
+  EXPECT_EQ(near(50, [](int e) { return e >= 20 && e < 26 ? 1.5f : 0.0f; })[1], kNotNear);
+  // A whole piece at the end, behind whose sources no cell is left but the ghost.
+  EXPECT_EQ(near(34, [](int) { return 0.0f; }), (std::vector<int>{0, 16, kNotNear}));
+  EXPECT_EQ(near(33, [](int) { return 0.0f; }), (std::vector<int>{0, kNotNear, kNotNear}));
 }
 
 TEST(FindSources, KnowsWhichEdgesAreInStep) {
