@@ -12,6 +12,8 @@ namespace pentimento::paper {
 /// sweeps before: two buffers in turn do, as if each sweep were done as a whole. But a row is swept
 /// again while what it is computed from is still in the processor's cache, and whole canvases are
 /// read once for all sweeps. Blocks of rows are done side by side.
+/// What is done before or after the sweeps (traces, systems, limits) may be sweeps of their own:
+/// each may read of the one before the row and those beside it, and of earlier ones the row alone.
 /// Each block does of sweep s what needs no other block, s rows less at either end. Then what is
 /// missing around each border is done. Source: split tiling (Grosser et al., Split tiling for GPUs,
 /// GPGPU-6, 2013).
