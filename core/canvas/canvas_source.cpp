@@ -15,12 +15,11 @@ Field<float>& plane_of(CanvasState& state, PlaneId plane) {
     case PlaneKind::kBase:
       return state.base_m;
     case PlaneKind::kPaper:
-      return state.paper_m;
     case PlaneKind::kReflectance:
-      return state.reflectance[static_cast<std::size_t>(plane.index)];
     case PlaneKind::kPigment:
       break;
   }
+  PENTIMENTO_CHECK(plane.kind == PlaneKind::kPigment);
   return state.channel(plane.layer, plane.index);
 }
 
@@ -29,6 +28,9 @@ const Field<float>& plane_of(const CanvasState& state, PlaneId plane) {
 }
 
 void StateSource::read(PlaneId plane, int x, int y, std::span<float> out) const {
+  if (plane.kind == PlaneKind::kPaper) return read_paper(state_, x, y, out);
+  if (plane.kind == PlaneKind::kReflectance)
+    return state_.reflectance[static_cast<std::size_t>(plane.index)].read(x, y, out);
   std::copy_n(plane_of(state_, plane).row(y) + x, out.size(), out.data());
 }
 

@@ -74,7 +74,8 @@ class CanvasSource {
   virtual Result<void> status() const { return {}; }
 };
 
-/// The plane of `state` that `plane` names. Its layer, channel or band must exist.
+/// The plane of `state` that `plane` names, neither paper nor reflectance, which are kept in other
+/// ways. Its layer and channel must exist.
 Field<float>& plane_of(CanvasState& state, PlaneId plane);
 const Field<float>& plane_of(const CanvasState& state, PlaneId plane);
 

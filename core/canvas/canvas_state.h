@@ -3,9 +3,11 @@
 // bundle of planes; the code in fluid/, brush/ and layers/ changes them. Not thread-safe.
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/base/field.h"
+#include "core/canvas/ground_plane.h"
 
 namespace pentimento {
 
@@ -30,9 +32,11 @@ struct CanvasState {
   Field<float> velocity_x_m_s;  // surface velocity, x right. Where in the cell it lives (centre, or
   Field<float> velocity_y_m_s;  // right and lower face) is the scheme's choice; y down.
   Field<float> base_m;          // b: paper relief + dried paint
-  Field<float> paper_m;         // paper relief alone
-  std::vector<Field<float>> reflectance;  // of the dry layer, one plane per band, linear, in [0,1]
-  std::vector<Field<float>> pigment;      // >= 0, [layer * channels + channel]
+  // The paper's relief alone, where it differs from `base_m`: code that changes `base_m` sees to it
+  // (read_paper(), write_base()).
+  DifferencePlane paper;
+  std::vector<GroundPlane> reflectance;  // of the dry layer, one plane per band, linear, in [0,1]
+  std::vector<Field<float>> pigment;     // >= 0, [layer * channels + channel]
   Field<std::uint32_t>
       stroke;             // id of the last stroke that touched the cell or ran onto it, 0 = none
   std::int64_t step = 0;  // simulation steps done so far
@@ -51,7 +55,16 @@ struct CanvasState {
   }
 };
 
-/// A dry canvas at rest: all planes allocated, `paper_m` and `base_m` 0, reflectance `white`.
+/// The paper's relief alone in the cells x .. x + out.size() - 1 of row y, m.
+void read_paper(const CanvasState& state, int x, int y, std::span<float> out);
+/// Sets it. `base_m` must have been set before.
+void write_paper(CanvasState& state, int x, int y, std::span<const float> paper_m);
+/// The paper's relief on the whole grid, m.
+Field<float> paper_relief_of(const CanvasState& state);
+/// Sets `base_m` in these cells; the paper stays what it was.
+void write_base(CanvasState& state, int x, int y, std::span<const float> base_m);
+
+/// A dry canvas at rest: all planes allocated, paper and `base_m` 0, reflectance `white`.
 CanvasState make_canvas_state(const CanvasGeometry& geometry, int layers, int channels, int bands,
                               float white);
 

@@ -43,7 +43,8 @@ void dry_tile(DetailCanvas& canvas, DetailTile& tile, const ChannelBasis& basis,
   copy(view_of(tile.depth_m, side), small.depth_m.view());
   copy(view_of(tile.base_m, side), small.base_m.view());
   for (std::size_t band = 0; band < tile.reflectance.size(); ++band)
-    copy(view_of(tile.reflectance[band], side), small.reflectance[band].view());
+    for (int y = 0; y < side; ++y)
+      small.reflectance[band].write(0, y, view_of(tile.reflectance[band], side).row_span(y));
   for (std::size_t p = 0; p < tile.pigment.size(); ++p)
     if (tile.pigment[p]) copy(view_of(tile.pigment[p], side), small.pigment[p].view());
   PaintFlow dried;
@@ -51,7 +52,8 @@ void dry_tile(DetailCanvas& canvas, DetailTile& tile, const ChannelBasis& basis,
   dry_canvas(small, basis, model, EdgeCells::kCovered, Threads(1), dried);
   copy(small.base_m.view(), view_of(tile.base_m, side));
   for (std::size_t band = 0; band < tile.reflectance.size(); ++band)
-    copy(small.reflectance[band].view(), view_of(tile.reflectance[band], side));
+    for (int y = 0; y < side; ++y)
+      small.reflectance[band].read(0, y, view_of(tile.reflectance[band], side).row_span(y));
   tile.depth_m.free();
   for (TilePlane& plane : tile.pigment) plane.free();
   tile.open = {};

@@ -40,7 +40,7 @@ CompositeOptics make_composite_optics(const ChannelBasis& basis, const Model& mo
 /// Source: R20, R31; Kubelka-Munk (Curtis et al. 1997, sec. 5.2).
 /// Departs from it: layers under kEmptyLayerAmount are left out.
 /// `coverage` has a share per cell, in (0, 1]; none: all 1. `reflectance` has one row of the grid's
-/// width per band; it may be the state's own.
+/// width per band.
 void composite_row(const CompositeOptics& optics, const CanvasState& state, int y,
                    std::span<const float> coverage, std::span<float* const> reflectance);
 

@@ -47,15 +47,22 @@ bool may_be_wet(const CanvasState& state, int y) {
 
 void dry_row(CanvasState& state, const CompositeOptics& optics, EdgeCells edges, int y) {
   if (!may_be_wet(state, y)) return;
+  const auto width = static_cast<std::size_t>(state.geometry.width);
+  std::vector<std::vector<float>> dried(state.reflectance.size(), std::vector<float>(width));
   std::vector<float*> reflectance;
-  for (Field<float>& band : state.reflectance) reflectance.push_back(band.row(y));
+  for (std::vector<float>& band : dried) reflectance.push_back(band.data());
   std::vector<float> coverage;
   if (edges == EdgeCells::kPartlyCovered) {
-    coverage.resize(static_cast<std::size_t>(state.geometry.width));
+    coverage.resize(width);
     edge_coverage_row(depth_around(state.depth_m, y), coverage);
   }
   composite_row(optics, state, y, coverage, reflectance);
-  for (int x = 0; x < state.geometry.width; ++x) state.base_m(x, y) += state.depth_m(x, y);
+  for (std::size_t band = 0; band < dried.size(); ++band)
+    state.reflectance[band].write(0, y, dried[band]);
+  std::vector<float> base_m(width);
+  for (std::size_t x = 0; x < width; ++x)
+    base_m[x] = state.base_m.row(y)[x] + state.depth_m.row(y)[x];
+  write_base(state, 0, y, base_m);
 }
 }  // namespace
 

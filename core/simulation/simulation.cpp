@@ -9,6 +9,7 @@
 #include "core/base/finite.h"
 #include "core/brush/held_brush.h"
 #include "core/brush/transfer.h"
+#include "core/canvas/canvas_source.h"
 #include "core/simulation/drying.h"
 #include "core/simulation/make_scheme.h"
 
@@ -34,11 +35,13 @@ struct ExpectedStamp {
   Stamp stamp;
 };
 
-std::string non_finite_in(const Field<float>& plane, const std::string& name) {
-  for (int y = 0; y < plane.height(); ++y) {
-    if (all_finite(plane.view().row_span(y))) continue;
-    for (int x = 0; x < plane.width(); ++x)
-      if (!all_finite({&plane(x, y), 1}))
+std::string non_finite_in(const CanvasSource& canvas, PlaneId plane, const std::string& name) {
+  std::vector<float> row(static_cast<std::size_t>(canvas.geometry().width));
+  for (int y = 0; y < canvas.geometry().height; ++y) {
+    canvas.read(plane, 0, y, row);
+    if (all_finite(row)) continue;
+    for (std::size_t x = 0; x < row.size(); ++x)
+      if (!all_finite({&row[x], 1}))
         return name + " at cell (" + std::to_string(x) + "," + std::to_string(y) + ")";
   }
   return {};
@@ -57,22 +60,29 @@ struct Simulation::Impl {
   }
 
   /// Paper, no paint; the books start anew. The relief goes on from the setup, or from the canvas
-  /// that was: there is one plane of it.
+  /// that was.
   void fresh_canvas() {
     const std::int64_t step = state.step;
-    Field<float> paper_m = std::move(state.paper_m.empty() ? setup.paper_m : state.paper_m);
+    Field<float> paper_m = state.paper.empty() ? std::move(setup.paper_m) : take_paper();
     state = make_canvas_state(setup.geometry, model.layers, setup.basis.channels(),
                               static_cast<int>(setup.paper_reflectance.size()), 0.0f);
     state.step = step;
     for (std::size_t band = 0; band < setup.paper_reflectance.size(); ++band)
       state.reflectance[band].fill(setup.paper_reflectance[band]);
-    if (!paper_m.empty()) {
-      state.base_m = paper_m.clone();
-      state.paper_m = std::move(paper_m);
-    }
+    if (!paper_m.empty()) state.base_m = std::move(paper_m);
     account = empty_account(setup.basis.channels());
     adopt_state();
     fresh = true;
+  }
+
+  /// The relief of the canvas that was, in the memory of its base.
+  Field<float> take_paper() {
+    std::vector<float> row(static_cast<std::size_t>(state.geometry.width));
+    for (int y = 0; y < state.geometry.height; ++y) {
+      read_paper(state, 0, y, row);
+      std::copy(row.begin(), row.end(), state.base_m.row(y));
+    }
+    return std::move(state.base_m);
   }
 
   /// What refers to the planes of the state is made again.
@@ -209,7 +219,8 @@ void Simulation::load(const std::vector<Field<float>>& reflectance) {
   for (std::size_t band = 0; band < reflectance.size(); ++band) {
     PENTIMENTO_CHECK(reflectance[band].width() == impl_->setup.geometry.width &&
                      reflectance[band].height() == impl_->setup.geometry.height);
-    impl_->state.reflectance[band] = reflectance[band].clone();
+    for (int y = 0; y < reflectance[band].height(); ++y)
+      impl_->state.reflectance[band].write(0, y, reflectance[band].view().row_span(y));
   }
   if (impl_->listener != nullptr) impl_->listener->cleared();
 }
@@ -220,7 +231,7 @@ std::unique_ptr<Simulation> Simulation::fork(const Threads& threads) const {
                         from.model,
                         from.setup.basis,
                         from.setup.dt_s,
-                        from.state.paper_m.clone(),
+                        Field<float>(),  // comes with the state
                         from.setup.paper_reflectance,
                         from.setup.tips};
   auto twin = std::make_unique<Simulation>(std::move(setup), threads);
@@ -266,7 +277,11 @@ void Simulation::recall(CanvasState state, const SimulationMemory& memory) {
   PENTIMENTO_CHECK(state.geometry.width == m.setup.geometry.width &&
                    state.geometry.height == m.setup.geometry.height &&
                    state.layers == m.model.layers && state.channels == m.setup.basis.channels());
-  state.paper_m = std::move(m.state.paper_m);
+  std::vector<float> paper_m(static_cast<std::size_t>(state.geometry.width));
+  for (int y = 0; y < state.geometry.height; ++y) {
+    read_paper(m.state, 0, y, paper_m);
+    write_paper(state, 0, y, paper_m);
+  }
   m.state = std::move(state);
   m.account = memory.account;
   m.touches.clear();
@@ -334,21 +349,21 @@ PaintFlow Simulation::wet() const {
 
 std::string Simulation::first_non_finite() const {
   const CanvasState& s = impl_->state;
-  std::vector<std::pair<const Field<float>*, std::string>> planes = {
-      {&s.depth_m, "depth"},
-      {&s.velocity_x_m_s, "velocity_x"},
-      {&s.velocity_y_m_s, "velocity_y"},
-      {&s.base_m, "base"}};
-  for (std::size_t i = 0; i < s.reflectance.size(); ++i)
-    planes.emplace_back(&s.reflectance[i], "reflectance " + std::to_string(i));
-  for (std::size_t i = 0; i < s.pigment.size(); ++i)
-    planes.emplace_back(&s.pigment[i],
-                        "layer " + std::to_string(i / static_cast<std::size_t>(s.channels)) +
-                            " channel " + std::to_string(i % static_cast<std::size_t>(s.channels)));
+  const StateSource canvas(s);
+  std::vector<std::pair<PlaneId, std::string>> planes = {{{PlaneKind::kDepth}, "depth"},
+                                                         {{PlaneKind::kVelocityX}, "velocity_x"},
+                                                         {{PlaneKind::kVelocityY}, "velocity_y"},
+                                                         {{PlaneKind::kBase}, "base"}};
+  for (int band = 0; band < s.bands; ++band)
+    planes.emplace_back(reflectance_plane(band), "reflectance " + std::to_string(band));
+  for (int layer = 0; layer < s.layers; ++layer)
+    for (int c = 0; c < s.channels; ++c)
+      planes.emplace_back(pigment_plane(layer, c),
+                          "layer " + std::to_string(layer) + " channel " + std::to_string(c));
   std::vector<std::string> found(planes.size());
   impl_->threads.for_ranges(0, static_cast<int>(planes.size()), 1, [&](int begin, int end) {
     for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
-      found[i] = non_finite_in(*planes[i].first, planes[i].second);
+      found[i] = non_finite_in(canvas, planes[i].first, planes[i].second);
   });
   const auto first =
       std::find_if(found.begin(), found.end(), [](const std::string& f) { return !f.empty(); });

@@ -1,6 +1,8 @@
 #include "formats/checkpoint/canvas_part.h"
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 namespace pentimento::checkpoint {
 
@@ -28,7 +30,6 @@ void put_plane(const Field<T>& plane, ArchiveWriter& to) {
 
 template <typename T>
 void take_plane(Field<T>& plane, ArchiveReader& from) {
-  plane.fill(T{});
   const auto width = static_cast<std::uint32_t>(plane.width());
   for (int y = 0; y < plane.height() && from.ok(); ++y) {
     const std::uint32_t begin = from.u32(), count = from.u32();
@@ -37,10 +38,32 @@ void take_plane(Field<T>& plane, ArchiveReader& from) {
   }
 }
 
+bool in_range(std::span<const float> values, float least) {
+  return std::ranges::all_of(values, [&](float v) { return v >= least && v <= kMostOfAnything; });
+}
+
 void check_range(const Field<float>& plane, float least, ArchiveReader& from) {
   for (int y = 0; y < plane.height(); ++y)
-    for (const float v : plane.view().row_span(y))
-      if (!(v >= least && v <= kMostOfAnything)) return from.fail("a value is out of its range");
+    if (!in_range(plane.view().row_span(y), least)) return from.fail("a value is out of its range");
+}
+
+/// The ground, and where the plane differs from it.
+void put_ground(const GroundPlane& plane, ArchiveWriter& to) {
+  to.f32(plane.ground());
+  put_plane(plane.differences().bits(), to);
+}
+
+GroundPlane take_ground(const CanvasGeometry& grid, ArchiveReader& from) {
+  const float ground = from.f32();
+  DifferencePlane differences(grid.width, grid.height);
+  take_plane(differences.bits(), from);
+  GroundPlane plane(ground, std::move(differences));
+  std::vector<float> row(static_cast<std::size_t>(grid.width));
+  for (int y = 0; y < grid.height && from.ok(); ++y) {
+    plane.read(0, y, row);
+    if (!in_range(row, 0)) from.fail("a value is out of its range");
+  }
+  return plane;
 }
 
 /// The float planes in their order in the part; `sign` tells whether values may be below 0.
@@ -50,7 +73,6 @@ void for_planes(State& state, const Body& body) {
   body(state.velocity_x_m_s, true);
   body(state.velocity_y_m_s, true);
   body(state.base_m, true);
-  for (auto& plane : state.reflectance) body(plane, false);
   for (auto& plane : state.pigment) body(plane, false);
 }
 }  // namespace
@@ -63,6 +85,7 @@ void put_canvas(const CanvasState& state, ArchiveWriter& to) {
   to.i32(state.bands);
   to.i64(state.step);
   for_planes(state, [&](const Field<float>& plane, bool) { put_plane(plane, to); });
+  for (const GroundPlane& plane : state.reflectance) put_ground(plane, to);
   put_plane(state.stroke, to);
   to.list(std::span<const float>(state.sleep));
 }
@@ -75,13 +98,13 @@ CanvasState take_canvas(const GuideShape& shape, ArchiveReader& from) {
   if (!same) from.fail("it is of another canvas");
   if (!from.ok()) return state;
   state = make_canvas_state(shape.geometry, shape.layers, shape.channels, shape.bands, 0);
-  state.paper_m = {};
   state.step = from.i64();
   if (state.step < 0) from.fail("its step is below 0");
   for_planes(state, [&](Field<float>& plane, bool is_signed) {
     take_plane(plane, from);
     check_range(plane, is_signed ? -kMostOfAnything : 0, from);
   });
+  for (GroundPlane& plane : state.reflectance) plane = take_ground(shape.geometry, from);
   take_plane(state.stroke, from);
   state.sleep = from.list<float>();
   return state;

@@ -18,8 +18,8 @@ struct GuideShape {
   int layers = 0, channels = 0, bands = 0;
 };
 
-/// `paper_m` stays empty. If the bytes are of another canvas, or hold what no canvas holds, the
-/// reader has the problem.
+/// The paper is not in the part, and comes out as `base_m`. If the bytes are of another canvas, or
+/// hold what no canvas holds, the reader has the problem.
 CanvasState take_canvas(const GuideShape& shape, ArchiveReader& from);
 
 }  // namespace pentimento::checkpoint

@@ -11,7 +11,7 @@ namespace pentimento::checkpoint {
 
 namespace {
 constexpr std::string_view kMagic = "pentimento checkpoint\n";
-constexpr std::uint32_t kVersion = 2;
+constexpr std::uint32_t kVersion = 3;
 // At the end: where the table begins, and its checksum.
 constexpr std::size_t kTrailerBytes = 16;
 constexpr std::size_t kLeastEntryBytes = 4 * 8;

@@ -138,9 +138,20 @@ void store_row(CanvasState& state, const CanvasDataset& dataset, std::int64_t ro
   }
   if (kind == DatasetKind::kReflectance) {
     const auto bands = static_cast<std::size_t>(state.bands);
-    for (std::size_t i = 0; i < in.size(); ++i)
-      state.reflectance[i % bands].row(y)[i / bands] = std::bit_cast<float>(in[i]);
+    std::vector<float> values(in.size() / bands);
+    for (std::size_t band = 0; band < bands; ++band) {
+      for (std::size_t x = 0; x < values.size(); ++x)
+        values[x] = std::bit_cast<float>(in[x * bands + band]);
+      // A dump does not say what the ground was. A corner is rarely painted.
+      if (y == 0) state.reflectance[band].fill(values[0]);
+      state.reflectance[band].write(0, y, values);
+    }
     return;
+  }
+  if (dataset.name == std::string_view("/canvas/paper")) {
+    std::vector<float> paper_m(in.size());
+    std::memcpy(paper_m.data(), in.data(), in.size() * sizeof(float));
+    return write_paper(state, 0, y, paper_m);
   }
   Field<float>& plane = kind == DatasetKind::kPigment
                             ? state.pigment[static_cast<std::size_t>(row / ny)]

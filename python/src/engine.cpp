@@ -4,6 +4,7 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -110,7 +111,10 @@ class EaselHandle {
     py::gil_scoped_release others;
     easel_->step(steps);
   }
-  void dry() { easel_->dry(); }
+  void dry() {
+    easel_->dry();
+    if (under_paint_) show(*under_paint_);
+  }
   void gravity(double x, double y, double z) { easel_->set_gravity(x, y, z); }
   std::unique_ptr<EaselHandle> fork() const {
     auto twin = std::make_unique<EaselHandle>(easel_->fork());
@@ -130,29 +134,56 @@ class EaselHandle {
     return done->sha256;
   }
   const CanvasState& state() const { return easel_->simulation().state(); }
+  /// What lies under the wet paint. The state keeps only where it differs from fresh paper; here it
+  /// is whole, as views need it, from the first call on. It changes when the canvas dries.
+  struct UnderPaint {
+    Field<float> paper_m;
+    std::vector<Field<float>> reflectance;
+  };
+  const UnderPaint& under_paint() {
+    if (!under_paint_) {
+      const CanvasGeometry& grid = state().geometry;
+      under_paint_.emplace();
+      under_paint_->paper_m = Field<float>(grid.width, grid.height);
+      for (int band = 0; band < state().bands; ++band)
+        under_paint_->reflectance.emplace_back(grid.width, grid.height);
+      show(*under_paint_);
+    }
+    return *under_paint_;
+  }
   std::vector<std::string> channels() const { return easel_->simulation().basis().name; }
   double time_s() const { return easel_->time_s(); }
 
  private:
+  void show(UnderPaint& planes) const {
+    for (int y = 0; y < state().geometry.height; ++y) {
+      read_paper(state(), 0, y, planes.paper_m.view().row_span(y));
+      for (std::size_t band = 0; band < planes.reflectance.size(); ++band)
+        state().reflectance[band].read(0, y, planes.reflectance[band].view().row_span(y));
+    }
+  }
   void check() const {
     if (easel_->problem()) fail(*easel_->problem());
   }
   std::unique_ptr<Easel> easel_;
   BrushSettings settings_;
+  std::optional<UnderPaint> under_paint_;
 };
 
 /// The planes by their names in a dump; `/layers/pigment` as a list of layers of channels.
 py::dict planes_of(const py::object& self) {
-  const auto& state = self.cast<const EaselHandle&>().state();
+  auto& easel = self.cast<EaselHandle&>();
+  const CanvasState& state = easel.state();
+  const EaselHandle::UnderPaint& under = easel.under_paint();
   py::dict planes;
   planes["depth_m"] = view_of(state.depth_m, self);
   planes["velocity_x_m_s"] = view_of(state.velocity_x_m_s, self);
   planes["velocity_y_down_m_s"] = view_of(state.velocity_y_m_s, self);
   planes["base_m"] = view_of(state.base_m, self);
-  planes["paper_m"] = view_of(state.paper_m, self);
+  planes["paper_m"] = view_of(under.paper_m, self);
   planes["stroke"] = view_of(state.stroke, self);
   py::list reflectance, pigment;
-  for (const Field<float>& band : state.reflectance) reflectance.append(view_of(band, self));
+  for (const Field<float>& band : under.reflectance) reflectance.append(view_of(band, self));
   for (int layer = 0; layer < state.layers; ++layer) {
     py::list channels;
     for (int c = 0; c < state.channels; ++c)

@@ -91,9 +91,10 @@ void compare_planes(const CanvasState& s, const CanvasState& t, Comparison& out)
   states.add("/fluid/velocity_x", s.velocity_x_m_s, t.velocity_x_m_s);
   states.add("/fluid/velocity_y", s.velocity_y_m_s, t.velocity_y_m_s);
   states.add("/canvas/base", s.base_m, t.base_m);
-  states.add("/canvas/paper", s.paper_m, t.paper_m);
+  states.add("/canvas/paper", paper_relief_of(s), paper_relief_of(t));
   for (std::size_t i = 0; i < s.reflectance.size(); ++i)
-    states.add(fmt::format("/canvas/reflectance[{}]", i), s.reflectance[i], t.reflectance[i]);
+    states.add(fmt::format("/canvas/reflectance[{}]", i), s.reflectance[i].values(),
+               t.reflectance[i].values());
   for (int layer = 0; layer < s.layers; ++layer)
     for (int c = 0; c < s.channels; ++c)
       states.add(fmt::format("/layers/pigment[{},{}]", layer, c), s.channel(layer, c),

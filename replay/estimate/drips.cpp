@@ -33,7 +33,7 @@ void TiltedTime::tilt(double x_m_s2, double y_m_s2, double time_s) {
   y_ = y_m_s2 / kGravity_m_s2;
 }
 
-void for_drips(const CanvasGeometry& grid, const TiltedTime& tilted,
+void for_drips(const CanvasGeometry& grid, const CellBox& among, const TiltedTime& tilted,
                const std::function<bool(int x, int y)>& thin,
                const std::function<void(int from_x, int from_y, int x, int y)>& reach) {
   const double seconds = std::hypot(tilted.x_s(), tilted.y_s());
@@ -44,8 +44,8 @@ void for_drips(const CanvasGeometry& grid, const TiltedTime& tilted,
     return x >= 0 && x < grid.width && y >= 0 && y < grid.height;
   };
   const auto is_thin = [&](int x, int y) { return inside(x, y) && thin(x, y); };
-  for (int y = 0; y < grid.height; ++y)
-    for (int x = 0; x < grid.width; ++x) {
+  for (int y = among.y0; y < among.y1; ++y)
+    for (int x = among.x0; x < among.x1; ++x) {
       if (!is_thin(x, y) || is_thin(slope.x(x, 1), slope.y(y, 1))) continue;
       int height = 1;
       while (is_thin(slope.x(x, -height), slope.y(y, -height))) ++height;

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "core/canvas/canvas_state.h"
+#include "core/canvas/cell_box.h"
 
 namespace pentimento {
 
@@ -27,11 +28,11 @@ class TiltedTime {
   double sum_x_s_ = 0, sum_y_s_ = 0;
 };
 
-/// Calls `reach` with a cell at the lower edge of a patch of thin paint (where `thin` is true) and
-/// each cell that its paint gets to: as far below the edge as 0.85 of the patch's height above it,
-/// drips 18 mm apart and 4 mm wide three times its height, neither faster than 16 mm/s. As seen in
-/// samples/runs and samples/balance-drips.
-void for_drips(const CanvasGeometry& grid, const TiltedTime& tilted,
+/// Calls `reach` with a cell of `among` at the lower edge of a patch of thin paint (where `thin` is
+/// true) and each cell that its paint gets to: as far below the edge as 0.85 of the patch's height
+/// above it, drips 18 mm apart and 4 mm wide three times its height, neither faster than 16 mm/s.
+/// As seen in samples/runs and samples/balance-drips.
+void for_drips(const CanvasGeometry& grid, const CellBox& among, const TiltedTime& tilted,
                const std::function<bool(int x, int y)>& thin,
                const std::function<void(int from_x, int from_y, int x, int y)>& reach);
 

@@ -159,11 +159,16 @@ std::int64_t painted_cells(const LogSession& session, double reached_share) {
   return static_cast<std::int64_t>(static_cast<double>(cells) * reached_share);
 }
 
+/// Whether a bare canvas takes memory: all other planes are zeros there.
+bool has_relief(const LogSession& session) {
+  const log::PaperSpec& paper = session.reader->header().paper;
+  return session.start || (paper.texture != "smooth" && paper.relief_m != 0);
+}
+
 std::int64_t guide_bytes(const LogSession& session, double reached_share) {
   const std::int64_t cells = std::int64_t{session.grid.width} * session.grid.height;
   const std::int64_t painted = painted_cells(session, reached_share);
-  // The bare canvas: the reflectance, the paper's relief and that of what dried on it.
-  const std::int64_t bare = cells * (session.basis.bands() + 2) * 4;
+  const std::int64_t bare = has_relief(session) ? cells * 4 : 0;
   const std::int64_t wet = (state_bytes(session) - bare) / cells * painted;
   const std::int64_t fine = state_bytes(session) * session.detail * session.detail;
   const std::int64_t read = session.detail_start ? std::min(kDumpRead, fine) : 0;

@@ -8,6 +8,12 @@
 
 namespace pentimento {
 
+namespace {
+bool overlap(const CellBox& a, const CellBox& b) {
+  return a.x0 < b.x1 && b.x0 < a.x1 && a.y0 < b.y1 && b.y0 < a.y1;
+}
+}  // namespace
+
 PaintMap::PaintMap(const LogSession& session, const DetailCost& cost)
     : grid_(session.grid),
       layout_(session.grid, session.detail),
@@ -15,8 +21,8 @@ PaintMap::PaintMap(const LogSession& session, const DetailCost& cost)
       layers_(session.model.layers),
       channels_(session.basis.channels()),
       bands_(session.basis.bands()),
-      wet_(cells()),
-      dried_(cells(), 0),
+      wet_(session.grid.width, session.grid.height),
+      dried_(session.grid.width, session.grid.height),
       awake_(session.grid),
       step_s_(1 / session.reader->header().steps_per_second),
       sleep_tile_m_(session.model.sleep_tile_m),
@@ -24,11 +30,23 @@ PaintMap::PaintMap(const LogSession& session, const DetailCost& cost)
   if (session.start) begin(session.start->state);
 }
 
+void PaintMap::reach(const CellBox& box) {
+  if (reached_.empty()) {
+    reached_ = box;
+    return;
+  }
+  reached_ = {std::min(reached_.x0, box.x0), std::max(reached_.x1, box.x1),
+              std::min(reached_.y0, box.y0), std::max(reached_.y1, box.y1)};
+}
+
 void PaintMap::begin(const CanvasState& state) {
+  reach({0, grid_.width, 0, grid_.height});
   const std::int64_t settling = settling_steps(BrushSettings());
-  for (int y = 0; y < grid_.height; ++y)
+  std::vector<float> paper_m(static_cast<std::size_t>(grid_.width));
+  for (int y = 0; y < grid_.height; ++y) {
+    read_paper(state, 0, y, paper_m);
     for (int x = 0; x < grid_.width; ++x) {
-      WetCell& wet = wet_[at(x, y)];
+      WetCell& wet = wet_(x, y);
       for (std::size_t p = 0; p < state.pigment.size(); ++p) {
         const auto c = p % static_cast<std::size_t>(state.channels);
         if (c >= CarriedPaint::kChannels || !(state.pigment[p](x, y) > 0)) continue;
@@ -37,8 +55,9 @@ void PaintMap::begin(const CanvasState& state) {
         wet.layers = static_cast<int>(p / static_cast<std::size_t>(state.channels)) + 1;
       }
       if (wet.layers > 0) awake_.touch(x, y, {wet.mask, 0, settling});
-      dried_[at(x, y)] = state.base_m(x, y) != state.paper_m(x, y) ? 1 : 0;
+      dried_(x, y) = state.base_m(x, y) != paper_m[static_cast<std::size_t>(x)] ? 1 : 0;
     }
+  }
 }
 
 CarriedPaint::Contact PaintMap::deposit(const Deposition& deposition) {
@@ -47,6 +66,7 @@ CarriedPaint::Contact PaintMap::deposit(const Deposition& deposition) {
   const Tip& tip = deposition.tip;
   const FootprintBox box = box_of(pose, tip.extent(), grid_);
   if (box.empty()) return contact;
+  reach({box.x, box.x + box.width, box.y, box.y + box.height});
   const TipLevel& level = tip.level_for(cell_size_m(grid_) / pose.diameter_m);
   std::uint32_t touched = 0;
   for (int y = box.y; y < box.y + box.height; ++y) {
@@ -54,11 +74,11 @@ CarriedPaint::Contact PaintMap::deposit(const Deposition& deposition) {
     for (int x = 0; x < box.width; ++x) {
       if (!(level.at(row.u(x), row.v(x)) > 0)) continue;
       const int band = CarriedPaint::band_of(row.v(x));
-      WetCell& cell = wet_[at(box.x + x, y)];
+      WetCell& cell = wet_(box.x + x, y);
       contact.add(band, cell.main & ~deposition.paint.loaded(band));
       deposit(cell, deposition.paint.deposited(band), deposition.stroke);
       cell.main |= deposition.paint.loaded(band);
-      cell.thin = deposits_thin_paint(deposition.brush);
+      cell.thin = deposits_thin_paint(deposition.brush) ? 1 : 0;
       touched |= cell.mask;
     }
   }
@@ -84,10 +104,11 @@ void PaintMap::tilt(double x_m_s2, double y_m_s2, std::int64_t step) {
 
 /// Thin paint gets to where it will have run on the tilted canvas, into all layers there.
 void PaintMap::run_down() {
-  const auto thin = [&](int x, int y) { return wet_[at(x, y)].thin; };
-  for_drips(grid_, tilted_, thin, [&](int from_x, int from_y, int x, int y) {
-    WetCell& cell = wet_[at(x, y)];
-    cell.mask |= wet_[at(from_x, from_y)].mask;
+  const auto thin = [&](int x, int y) { return wet_(x, y).thin != 0; };
+  for_drips(grid_, CellBox(reached_), tilted_, thin, [&](int from_x, int from_y, int x, int y) {
+    reach({x, x + 1, y, y + 1});
+    WetCell& cell = wet_(x, y);
+    cell.mask |= wet_(from_x, from_y).mask;
     cell.layers = layers_;
   });
   tilted_.forget();
@@ -103,16 +124,19 @@ void PaintMap::account(std::int64_t step) {
 void PaintMap::dry(std::int64_t step) {
   account(step);
   awake_.clear();
-  for (std::size_t i = 0; i < wet_.size(); ++i) {
-    if (wet_[i].layers > 0) dried_[i] = 1;
-    wet_[i] = {};
-  }
+  for (int y = reached_.y0; y < reached_.y1; ++y)
+    for (int x = reached_.x0; x < reached_.x1; ++x) {
+      if (wet_(x, y).layers > 0) dried_(x, y) = 1;
+      wet_(x, y) = {};
+    }
 }
 
 void PaintMap::clear(std::int64_t step) {
   account(step);
-  std::fill(wet_.begin(), wet_.end(), WetCell());
-  std::fill(dried_.begin(), dried_.end(), std::uint8_t{0});
+  for (int y = reached_.y0; y < reached_.y1; ++y) {
+    std::fill_n(wet_.row(y) + reached_.x0, reached_.width(), WetCell());
+    std::fill_n(dried_.row(y) + reached_.x0, reached_.width(), std::uint8_t{0});
+  }
   awake_.clear();
 }
 
@@ -129,15 +153,16 @@ void PaintMap::measure() {
 }
 
 std::int64_t PaintMap::tile_bytes(const CellBox& box) const {
+  if (!overlap(box, reached_)) return 0;
   std::vector<std::uint32_t> rows;  // channels that are wet in it, row by row for each layer
   bool dried = false;
   for (int layer = 0; layer < layers_; ++layer)
     for (int y = box.y0; y < box.y1; ++y) {
       std::uint32_t& row = rows.emplace_back(0);
       for (int x = box.x0; x < box.x1; ++x) {
-        const WetCell& cell = wet_[at(x, y)];
+        const WetCell& cell = wet_(x, y);
         if (cell.layers > layer) row |= cell.mask;
-        dried = dried || dried_[at(x, y)] != 0;
+        dried = dried || dried_(x, y) != 0;
       }
     }
   const auto height = static_cast<std::size_t>(box.height());

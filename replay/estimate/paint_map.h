@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "core/base/field.h"
 #include "core/brush/tip.h"
 #include "core/brush/tip_pose.h"
 #include "core/detail/store/detail_layout.h"
@@ -39,7 +40,7 @@ class PaintMap {
   void tilt(double x_m_s2, double y_m_s2, std::int64_t step);
   PaintSurvey finish(std::int64_t end_step);
   /// The channels that are wet in a cell of the guide.
-  std::uint32_t wet_channels(int x, int y) const { return wet_[at(x, y)].mask; }
+  std::uint32_t wet_channels(int x, int y) const { return wet_(x, y).mask; }
 
  private:
   /// What is wet in a cell of the guide.
@@ -48,16 +49,11 @@ class PaintMap {
     std::uint32_t main = 0;    // of them those that a brush was loaded with
     std::uint32_t stroke = 0;  // the last one here
     int layers = 0;            // a stroke on another's opens the next (R26)
-    bool thin = false;         // it runs
+    std::uint32_t thin = 0;    // 1: it runs
   };
   void begin(const CanvasState& state);
-  std::size_t cells() const {
-    return static_cast<std::size_t>(grid_.width) * static_cast<std::size_t>(grid_.height);
-  }
-  std::size_t at(int x, int y) const {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(grid_.width) +
-           static_cast<std::size_t>(x);
-  }
+  /// Cells of `box` may hold paint from now on.
+  void reach(const CellBox& box);
   void deposit(WetCell& cell, std::uint32_t mask, std::uint32_t stroke);
   void account(std::int64_t step);
   void run_down();
@@ -70,8 +66,11 @@ class PaintMap {
   DetailLayout layout_;
   DetailCost cost_;
   int layers_, channels_, bands_;
-  std::vector<WetCell> wet_;
-  std::vector<std::uint8_t> dried_;  // something dried here
+  // Planes of a large grid take memory only where they are written to, and only `reached_` is
+  // looked at: a small painting on a large canvas costs what it covers.
+  Field<WetCell> wet_;
+  Field<std::uint8_t> dried_;  // something dried here
+  CellBox reached_;            // no cell beyond it was ever written to
   AwakeTiles awake_;
   TiltedTime tilted_;
   double step_s_;

@@ -22,8 +22,18 @@ std::uint64_t add(std::uint64_t hash, const Field<T>& plane, const CellBox& box)
   return hash;
 }
 
-std::uint64_t add(std::uint64_t hash, const std::vector<Field<float>>& planes, const CellBox& box) {
-  for (const Field<float>& plane : planes) hash = add(hash, plane, box);
+std::uint64_t add(std::uint64_t hash, const GroundPlane& plane, const CellBox& box) {
+  std::vector<float> row(static_cast<std::size_t>(box.width()));
+  for (int y = box.y0; y < box.y1; ++y) {
+    plane.read(box.x0, y, row);
+    hash = XXH3_64bits_withSeed(row.data(), row.size() * sizeof(float), hash);
+  }
+  return hash;
+}
+
+template <typename Plane>
+std::uint64_t add(std::uint64_t hash, const std::vector<Plane>& planes, const CellBox& box) {
+  for (const Plane& plane : planes) hash = add(hash, plane, box);
   return hash;
 }
 

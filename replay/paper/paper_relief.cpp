@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
+#include "core/base/any_not_zero.h"
 #include "formats/image/read_image.h"
 #include "formats/image/resample.h"
 #include "replay/paper/grain.h"
@@ -86,7 +88,12 @@ Result<Field<float>> paper_relief(const log::PaperSpec& paper, const CanvasGeome
   Result<std::unique_ptr<PaperRows>> rows = paper_rows(paper, geometry, files);
   if (!rows) return rows.error();
   Field<float> relief(geometry.width, geometry.height);
-  for (int y = 0; y < geometry.height; ++y) (*rows)->row(0, y, relief.view().row_span(y));
+  std::vector<float> row(static_cast<std::size_t>(geometry.width));
+  for (int y = 0; y < geometry.height; ++y) {
+    (*rows)->row(0, y, row);
+    // A smooth paper takes no memory.
+    if (any_not_zero(row.data(), geometry.width)) std::copy(row.begin(), row.end(), relief.row(y));
+  }
   return relief;
 }
 

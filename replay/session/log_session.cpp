@@ -227,7 +227,7 @@ Result<std::unique_ptr<Simulation>> make_simulation(LogSession& session, const T
   setup.basis = session.basis;
   setup.tips = session.tips;
   if (session.start) {
-    setup.paper_m = session.start->state.paper_m.clone();
+    setup.paper_m = paper_relief_of(session.start->state);
   } else {
     Result<Field<float>> relief = paper_relief(header.paper, session.grid, session.files);
     if (!relief) return relief.error();

@@ -115,10 +115,14 @@ StateDump full_canvas() {
   dump.state = make_canvas_state({kWidth, kHeight, 1, 0.75}, 2, 3, 3, 0.9f);
   unsigned seed = 10;
   CanvasState& s = dump.state;
-  for (Field<float>* plane :
-       {&s.depth_m, &s.velocity_x_m_s, &s.velocity_y_m_s, &s.base_m, &s.paper_m})
+  for (Field<float>* plane : {&s.depth_m, &s.velocity_x_m_s, &s.velocity_y_m_s, &s.base_m})
     *plane = painting(seed++);
-  for (Field<float>& plane : s.reflectance) plane = painting(seed++);
+  const Field<float> paper_m = painting(seed++);
+  for (int y = 0; y < kHeight; ++y) write_paper(s, 0, y, paper_m.view().row_span(y));
+  for (GroundPlane& plane : s.reflectance) {
+    const Field<float> band = painting(seed++);
+    for (int y = 0; y < kHeight; ++y) plane.write(0, y, band.view().row_span(y));
+  }
   for (Field<float>& plane : s.pigment) plane = painting(seed++);
   return dump;
 }

@@ -9,6 +9,7 @@
 #include "core/shading/horizon_row.h"
 #include "core/shading/light_lock.h"
 #include "tests/bench/least_time.h"
+#include "tests/core/canvas/set_base.h"
 #include "tests/reference/horizon.h"
 #include "tests/reference/light_lock.h"
 #include "tests/reference/made_up_canvas.h"
@@ -25,7 +26,8 @@ CanvasState relief() {
   CanvasState state =
       make_canvas_state({kCellsX, kCellsY, 5e-4 * kCellsX, 5e-4 * kCellsY}, 1, 1, 3, 0.9f);
   for (int y = 0; y < kCellsY; ++y)
-    for (int x = 0; x < kCellsX; ++x) state.base_m(x, y) = 1e-3f * MadeUpCanvas::unit(x / 4, y, 1);
+    for (int x = 0; x < kCellsX; ++x)
+      set_base(state, x, y, 1e-3f * MadeUpCanvas::unit(x / 4, y, 1));
   return state;
 }
 

@@ -53,7 +53,7 @@ void use(StateDump dump) {
   setup.model.layers = dump.state.layers;
   setup.basis = dump.basis;
   setup.dt_s = static_cast<float>(1 / dump.steps_per_second);
-  setup.paper_m = dump.state.paper_m.clone();
+  setup.paper_m = paper_relief_of(dump.state);
   setup.paper_reflectance.assign(static_cast<std::size_t>(dump.state.bands), 0.9f);
   Simulation simulation(std::move(setup), threads);
   simulation.restore(std::move(dump.state));

@@ -67,13 +67,15 @@ inline CanvasState scene(const ChannelBasis& basis, int width, int height) {
     for (int x = 0; x < width; ++x) {
       const double px = (x + .5) * geometry.width_m / width;
       const double py = (y + .5) * geometry.height_m / height;
-      s.paper_m(x, y) = weave_m(px, py);
+      const float paper_m = weave_m(px, py);
       const double dried = stroke_film(ochre, px, py);
-      s.base_m(x, y) = s.paper_m(x, y) + static_cast<float>(dried);
+      s.base_m(x, y) = paper_m + static_cast<float>(dried);
+      s.paper.set(x, y, s.base_m(x, y), paper_m);
       const float hiding = static_cast<float>(std::min(dried / .0006, 1.0));
       const float dry_color[] = {.53f, .25f, .03f};
       for (std::size_t band = 0; band < 3; ++band) {
-        s.reflectance[band](x, y) += hiding * (dry_color[band] - s.reflectance[band](x, y));
+        const float bare = s.reflectance[band](x, y);
+        s.reflectance[band].set(x, y, bare + hiding * (dry_color[band] - bare));
       }
       const double r = stroke_film(red, px, py), b = stroke_film(blue, px, py);
       const double g = stroke_film(glaze, px, py), w = stroke_film(white, px, py);

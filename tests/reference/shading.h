@@ -33,6 +33,7 @@ class ShadingReference {
   ShadingReference(const CanvasState& state, const ChannelBasis& basis, const Model& model,
                    const Lighting& lighting, int width, int height, int slopes = 2)
       : s_(state),
+        paper_m_(paper_relief_of(state)),
         basis_(basis),
         model_(model),
         light_(lighting),
@@ -245,7 +246,7 @@ class ShadingReference {
     p.albedo = albedo_at(u, v);
     const auto covered = [](double film_m) { return 1 - std::exp(-std::max(film_m, 0.0) / 1e-4); };
     p.wet = covered(p.depth);
-    const double paint = covered(p.depth + bilinear(s_.base_m, u, v) - bilinear(s_.paper_m, u, v));
+    const double paint = covered(p.depth + bilinear(s_.base_m, u, v) - bilinear(paper_m_, u, v));
     const auto off_centre = [](double at) { return std::abs(at - std::round(at)) > 1e-6; };
     if (slopes_ == 1 || off_centre(u) || off_centre(v)) {
       light_up(p, paint, u, v);
@@ -354,6 +355,7 @@ class ShadingReference {
   }
 
   const CanvasState& s_;
+  Field<float> paper_m_;
   const ChannelBasis& basis_;
   const Model& model_;
   const Lighting& light_;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/brush/builtin_brushes.h"
+#include "tests/core/canvas/set_base.h"
 
 namespace pentimento {
 namespace {
@@ -58,7 +59,7 @@ TEST(EdgeCells, PaintOnAPartOfACellIsAsHighAsItLies) {
   // A film of 1 mm ends in column 20, of which a quarter is covered.
   for (int y = 0; y < kSheet.height; ++y)
     for (int x = 0; x < kSheet.width; ++x) {
-      canvas.base_m(x, y) = 2e-4f;
+      set_base(canvas, x, y, 2e-4f);
       canvas.depth_m(x, y) = x < 20 ? 1e-3f : x == 20 ? 0.25e-3f : 0;
     }
   EXPECT_NEAR(passed_height_m(canvas, 20, 10, 0.25f), 1.2e-3f, 1e-8f);

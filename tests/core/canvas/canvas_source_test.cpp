@@ -14,8 +14,8 @@ TEST(StateSource, ReadsRunsOfEveryPlane) {
   s.velocity_x_m_s(3, 2) = 2;
   s.velocity_y_m_s(3, 2) = 3;
   s.base_m(3, 2) = 4;
-  s.paper_m(3, 2) = 5;
-  s.reflectance[1](3, 2) = 6;
+  s.paper.set(3, 2, 4, 5);
+  s.reflectance[1].set(3, 2, 6);
   s.channel(1, 0)(3, 2) = 7;
   s.stroke(3, 2) = 8;
   const StateSource source(s);

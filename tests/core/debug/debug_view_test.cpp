@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/canvas/canvas_state.h"
+#include "tests/core/canvas/set_base.h"
 
 namespace pentimento {
 namespace {
@@ -43,7 +44,7 @@ struct Cells {
 
 TEST(DebugView, HeightIsBaseAndWetPaint) {
   Cells cells;
-  cells.state.base_m(1, 0) = 0.25f;
+  set_base(cells.state, 1, 0, 0.25f);
   cells.state.depth_m(1, 0) = 0.5f;
   EXPECT_EQ(cells.values(DebugView::kHeight), (std::vector<float>{0, 0.75f, 0, 0}));
 }
@@ -85,7 +86,7 @@ TEST(DebugView, LayersCountsThoseThatHoldPigment) {
 TEST(DebugView, WetnessTellsWetFromDriedAndBare) {
   Cells cells;
   cells.state.depth_m(0, 0) = 1e-3f;
-  cells.state.base_m(1, 0) = 1e-4f;
+  set_base(cells.state, 1, 0, 1e-4f);
   std::vector<std::int8_t> mark;
   EXPECT_EQ(cells.values(DebugView::kWetness, &mark)[0], 1e-3f);
   EXPECT_EQ(mark, (std::vector<std::int8_t>{-1, 1, 0, 0}));
@@ -99,7 +100,7 @@ TEST(DebugView, WetnessTellsWetFromDriedAndBare) {
 TEST(DebugView, TheScaleIsRoundAndHoldsEveryValue) {
   Cells cells;
   const auto up_to = [&](float most) {
-    cells.state.base_m(3, 0) = most;
+    set_base(cells.state, 3, 0, most);
     return cells.scale(DebugView::kHeight);
   };
   EXPECT_DOUBLE_EQ(up_to(0.0013f).to, 0.002);
@@ -108,7 +109,7 @@ TEST(DebugView, TheScaleIsRoundAndHoldsEveryValue) {
   EXPECT_DOUBLE_EQ(up_to(0.001f).to, 0.001);
   EXPECT_EQ(up_to(0.001f).from, 0);
   EXPECT_EQ(up_to(0.001f).unit, "mm");
-  cells.state.base_m(0, 0) = -0.0003f;
+  set_base(cells.state, 0, 0, -0.0003f);
   EXPECT_DOUBLE_EQ(up_to(0.001f).from, -0.0005);
   EXPECT_EQ(Cells().scale(DebugView::kVelocity).to, 1e-3);  // nothing moves
 }

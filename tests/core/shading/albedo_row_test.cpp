@@ -24,7 +24,7 @@ struct Row {
     std::mt19937 random(3);
     const auto unit = [&] { return static_cast<float>(random()) / 4294967296.0f; };
     for (int x = 0; x < width; ++x) {
-      for (Field<float>& band : state.reflectance) band(x, 0) = unit();
+      for (GroundPlane& band : state.reflectance) band.set(x, 0, unit());
       state.depth_m(x, 0) = 0.003f * unit();
       for (int k = 0; k < state.layers; ++k) {
         if (random() % 3 == 0) continue;
@@ -41,7 +41,9 @@ struct Row {
   std::vector<float> texels(bool with_paint = true) const {
     AlbedoCells cells;
     cells.depth_m = {state.depth_m.row(0), static_cast<std::size_t>(state.geometry.width)};
-    for (const Field<float>& band : state.reflectance) cells.dry.push_back(band.row(0));
+    std::vector<Field<float>> dry;
+    for (const GroundPlane& band : state.reflectance) dry.push_back(band.values());
+    for (const Field<float>& band : dry) cells.dry.push_back(band.row(0));
     for (const Field<float>& plane : state.pigment)
       if (with_paint) cells.amount.push_back(plane.row(0));
     cells.coverage = coverage;

@@ -31,11 +31,6 @@ CanvasState finer(const CanvasState& guide) {
   g.width *= kDetail;
   g.height *= kDetail;
   CanvasState fine = make_canvas_state(g, guide.layers, guide.channels, guide.bands, 0);
-  const auto enlarge = [&](PlaneId plane) {
-    for (int y = 0; y < g.height; ++y)
-      for (int x = 0; x < g.width; ++x)
-        plane_of(fine, plane)(x, y) = plane_of(guide, plane)(x / kDetail, y / kDetail);
-  };
   const auto gather = [&](PlaneId plane) {
     constexpr int kBlock = kDetail * kDetail;
     const reference::EdgeCoverage coverage(guide);
@@ -49,13 +44,17 @@ CanvasState finer(const CanvasState& guide) {
       }
     }
   };
-  for (const PlaneKind kind : {PlaneKind::kBase, PlaneKind::kPaper}) enlarge({kind, 0, 0});
-  for (int b = 0; b < guide.bands; ++b) enlarge(reflectance_plane(b));
   gather({PlaneKind::kDepth, 0, 0});
   for (int layer = 0; layer < guide.layers; ++layer)
     for (int c = 0; c < guide.channels; ++c) gather(pigment_plane(layer, c));
   for (int y = 0; y < g.height; ++y)
-    for (int x = 0; x < g.width; ++x) fine.base_m(x, y) += bristle_m(x, y);
+    for (int x = 0; x < g.width; ++x) {
+      const int u = x / kDetail, v = y / kDetail;
+      fine.base_m(x, y) = guide.base_m(u, v) + bristle_m(x, y);
+      fine.paper.set(x, y, fine.base_m(x, y), guide.paper.at(u, v, guide.base_m(u, v)));
+      for (std::size_t b = 0; b < guide.reflectance.size(); ++b)
+        fine.reflectance[b].set(x, y, guide.reflectance[b](u, v));
+    }
   return fine;
 }
 

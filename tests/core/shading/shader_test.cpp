@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "tests/core/canvas/set_base.h"
 #include "tests/reference/painted_scene.h"
 #include "tests/reference/shading.h"
 #include "tests/reference/whole_picture.h"
@@ -132,9 +133,10 @@ Scene random_scene(std::uint32_t seed) {
   scene.state = make_canvas_state({40, 30, 0.2, 0.12}, layers, pigments, 3, 0);
   for (int y = 0; y < 30; ++y) {
     for (int x = 0; x < 40; ++x) {
-      for (Field<float>& band : scene.state.reflectance) band(x, y) = uniform();
-      scene.state.paper_m(x, y) = 0.0005f * uniform();
-      scene.state.base_m(x, y) = scene.state.paper_m(x, y) + 0.001f * uniform();
+      for (GroundPlane& band : scene.state.reflectance) band.set(x, y, uniform());
+      const float paper_m = 0.0005f * uniform();
+      set_base(scene.state, x, y, paper_m + 0.001f * uniform());
+      scene.state.paper.set(x, y, scene.state.base_m(x, y), paper_m);
       scene.state.depth_m(x, y) = uniform() < 0.3f ? 0 : 0.002f * uniform();
       for (Field<float>& plane : scene.state.pigment) {
         plane(x, y) = uniform() < 0.4f ? 0 : 0.05f * uniform();
@@ -242,7 +244,7 @@ TEST(Shader, ARidgeShadesWhatLiesBehindIt) {
   Scene scene;
   scene.state = make_canvas_state({60, 20, 0.06, 0.02}, 1, 4, 3, 0.5f);
   for (int y = 0; y < 20; ++y) {
-    for (int x = 28; x < 32; ++x) scene.state.base_m(x, y) = 0.002f;
+    for (int x = 28; x < 32; ++x) set_base(scene.state, x, y, 0.002f);
   }
   scene.lighting.environment = {};
   scene.lighting.lamps[0].direction = {-0.8f, 0, 0.6f};  // 2 mm high: the shadow is 2.7 mm long
@@ -259,7 +261,7 @@ TEST(Shader, OnAPlaneNothingIsHiddenHoweverItLeans) {
   Scene scene;
   scene.state = make_canvas_state({40, 40, 0.04, 0.04}, 1, 4, 3, 0.5f);
   for (int y = 0; y < 40; ++y) {
-    for (int x = 0; x < 40; ++x) scene.state.base_m(x, y) = 0.0003f * static_cast<float>(x);
+    for (int x = 0; x < 40; ++x) set_base(scene.state, x, y, 0.0003f * static_cast<float>(x));
   }
   const WholePicture hidden = scene.shade(*shader, request_of(40, 40));
   scene.lighting.occlusion = 0;
@@ -278,7 +280,7 @@ TEST(Shader, WetPaintGleamsAndDryPaintIsDullUntilItIsVarnished) {
         const float across = (static_cast<float>(x) - 30) / 12;
         const float film = 0.004f * std::max(1 - across * across, 0.0f) + 0.003f;
         scene.state.depth_m(x, y) = film * wet_share;
-        scene.state.base_m(x, y) = film * (1 - wet_share);
+        set_base(scene.state, x, y, film * (1 - wet_share));
       }
     }
     scene.lighting.lamps[0].direction = {-0.768f, 0, 0.64f};  // across the ridge
@@ -434,8 +436,9 @@ TEST(Shader, NormalsArePhysicalWhateverTheGridAndThePicture) {
     s = make_canvas_state(s.geometry, 2, 4, 3, 0.9f);
     for (int y = 0; y < cells; ++y) {
       for (int x = 0; x < cells; ++x) {  // rises 0.5 m/m to the right, 0.25 m/m downwards
-        s.base_m(x, y) = 0.5f * static_cast<float>(x) * s.geometry.dx_m() +
-                         0.25f * static_cast<float>(y) * s.geometry.dy_m();
+        set_base(s, x, y,
+                 0.5f * static_cast<float>(x) * s.geometry.dx_m() +
+                     0.25f * static_cast<float>(y) * s.geometry.dy_m());
       }
     }
     const float length = std::sqrt(1 + 0.25f + 0.0625f);
@@ -452,7 +455,7 @@ TEST(Shader, NormalsArePhysicalWhateverTheGridAndThePicture) {
 TEST(Shader, AWhiteFurnaceSendsBackNoMoreThanItGets) {
   const auto shader = open();
   Scene scene;
-  for (Field<float>& band : scene.state.reflectance) band.fill(1);
+  for (GroundPlane& band : scene.state.reflectance) band.fill(1);
   scene.lighting.lamps[0].intensity = 0;
   scene.lighting.environment = {};
   scene.lighting.environment.L[0].fill(3.5449077f);  // radiance 1 all around

@@ -24,7 +24,7 @@ struct Canvas {
     state = make_canvas_state({12, 9, 0.12, 0.09}, 2, basis.channels(), maker.bands(), 0);
     std::mt19937 random(1);
     const auto unit = [&] { return static_cast<float>(random()) / 4294967296.0f; };
-    for (Field<float>& plane : state.reflectance) plane.fill(0.7f);
+    for (GroundPlane& plane : state.reflectance) plane.fill(0.7f);
     state.depth_m.fill(0.001f);
     for (int layer = 0; layer < 2; ++layer) {
       for (int y = 0; y < 9; ++y) {

@@ -12,7 +12,7 @@ CanvasState small_state() {
       const float id = static_cast<float>(10 * y + x);
       s.depth_m(x, y) = id;
       s.base_m(x, y) = 100;
-      s.paper_m(x, y) = 60;
+      s.paper.set(x, y, 100, 60);
       s.channel(0, 4)(x, y) = -id;
     }
   }

@@ -313,7 +313,9 @@ TEST(Simulation, PaletteAndOpticalChannelsGiveTheSamePicture) {
               1e-5 * b.account().deposited.channel[0]);
   // Both mix linearly; floats round differently in 3 and in 7 channels.
   for (std::size_t band = 0; band < 3; ++band)
-    EXPECT_LT(relative_l2(a.state().reflectance[band], b.state().reflectance[band]), 1e-5);
+    EXPECT_LT(
+        relative_l2(a.state().reflectance[band].values(), b.state().reflectance[band].values()),
+        1e-5);
 }
 
 TEST(Simulation, ASliderDuringAStrokeLoadsTheBrushAfresh) {
@@ -346,7 +348,8 @@ TEST(Simulation, ClearGivesAFreshCanvasAndNewBooks) {
   sim.clear();
   Simulation fresh(setup_of(64, 2), threads);
   expect_same_bits(sim.state(), fresh.state());
-  EXPECT_TRUE(same_bits(sim.state().reflectance[0], fresh.state().reflectance[0]));
+  EXPECT_TRUE(
+      same_bits(sim.state().reflectance[0].values(), fresh.state().reflectance[0].values()));
   EXPECT_EQ(sim.account().deposited.medium_m3, 0);
   EXPECT_EQ(sim.state().step, 1);
 }

@@ -19,7 +19,8 @@ CanvasState some_state() {
   state.velocity_x_m_s(0, 0) = -0.25f;
   state.velocity_y_m_s(1, 2) = -0.0f;
   state.base_m.fill(1e-5f);
-  state.reflectance[1](3, 3) = 0.1f;
+  state.reflectance[1].set(3, 3, 0.1f);
+  state.paper.set(2, 2, 1e-5f, 0.5e-5f);
   state.channel(1, 2)(0, 3) = 0.5f;
   state.stroke(4, 0) = 77;
   state.sleep = {1, 0, 0, 9.81f, 0};
@@ -38,7 +39,7 @@ TEST(CanvasPart, BringsBackEveryBit) {
   ArchiveReader from(bytes);
   CanvasState back = take_canvas(kShape, from);
   ASSERT_TRUE(from.complete()) << from.problem();
-  back.paper_m = state.paper_m.clone();  // comes from the log
+  back.paper = state.paper.clone();  // comes from the log
   EXPECT_EQ(state_sha256(back), state_sha256(state));
   EXPECT_EQ(back.step, 12);
   EXPECT_EQ(back.sleep, state.sleep);
@@ -48,7 +49,7 @@ TEST(CanvasPart, BringsBackEveryBit) {
 TEST(CanvasPart, AnEmptyPlaneTakesAlmostNothing) {
   const GuideShape wide = {{1000, 10, 1, 1}, 1, 1, 1};
   ArchiveWriter to;
-  put_canvas(make_canvas_state(wide.geometry, 1, 1, 1, 0), to);
+  put_canvas(make_canvas_state(wide.geometry, 1, 1, 1, 0.9f), to);
   EXPECT_LT(to.bytes().size(), 1000u);  // two numbers of 4 bytes a row, in 7 planes
 }
 
@@ -77,6 +78,10 @@ TEST(CanvasPart, RefusesWhatNoCanvasHolds) {
   EXPECT_NE(problem_with([](CanvasState& s) { s.depth_m(1, 1) = kHuge; }), "");
   EXPECT_NE(problem_with([](CanvasState& s) { s.velocity_x_m_s(1, 1) = -kHuge; }), "");
   EXPECT_NE(problem_with([](CanvasState& s) { s.pigment[0](1, 1) = std::nanf(""); }), "");
+  for (const float value : {-0.1f, kHuge, std::nanf("")}) {
+    EXPECT_NE(problem_with([&](CanvasState& s) { s.reflectance[2].set(1, 1, value); }), "");
+    EXPECT_NE(problem_with([&](CanvasState& s) { s.reflectance[2].fill(value); }), "");
+  }
   EXPECT_NE(problem_with([](CanvasState& s) { s.step = -1; }), "");
   EXPECT_EQ(problem_with([](CanvasState&) {}), "");
 }

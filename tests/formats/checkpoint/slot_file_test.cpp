@@ -74,7 +74,7 @@ std::string forged_slot(const std::function<void(ArchiveWriter&)>& rows, std::ui
   ArchiveWriter file, table, trailer;
   const std::string_view magic = "pentimento checkpoint\n";
   file.raw(std::span<const char>(magic));
-  file.u32(2);
+  file.u32(3);
   file.raw(std::span<const char>(std::string_view("paint")));
   table.u64(count);
   rows(table);

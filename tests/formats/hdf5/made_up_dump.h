@@ -83,9 +83,14 @@ inline StateDump made_up_dump(int width, int height, int layers, int pigments) {
   fill(s.depth_m, random, 0.002f);
   fill(s.velocity_x_m_s, random, 0.1f);
   fill(s.velocity_y_m_s, random, -0.1f);
-  fill(s.paper_m, random, 0.0003f);
+  Field<float> paper_m(width, height), band(width, height);
+  fill(paper_m, random, 0.0003f);
   fill(s.base_m, random, 0.001f);
-  for (Field<float>& plane : s.reflectance) fill(plane, random, 1.0f);
+  for (int y = 0; y < height; ++y) write_paper(s, 0, y, paper_m.view().row_span(y));
+  for (GroundPlane& plane : s.reflectance) {
+    fill(band, random, 1.0f);
+    for (int y = 0; y < height; ++y) plane.write(0, y, band.view().row_span(y));
+  }
   for (Field<float>& plane : s.pigment) fill(plane, random, 0.1f);
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) s.stroke(x, y) = random() % 5 == 0 ? 4000000000u : random() % 9;

@@ -37,13 +37,13 @@ void expect_same_state(const CanvasState& a, const CanvasState& b) {
   expect_same_bits(a.velocity_x_m_s, b.velocity_x_m_s);
   expect_same_bits(a.velocity_y_m_s, b.velocity_y_m_s);
   expect_same_bits(a.base_m, b.base_m);
-  expect_same_bits(a.paper_m, b.paper_m);
+  expect_same_bits(paper_relief_of(a), paper_relief_of(b));
   expect_same_bits(a.stroke, b.stroke);
   EXPECT_EQ(a.sleep, b.sleep);
   ASSERT_EQ(a.pigment.size(), b.pigment.size());
   for (std::size_t i = 0; i < a.pigment.size(); ++i) expect_same_bits(a.pigment[i], b.pigment[i]);
   for (std::size_t i = 0; i < a.reflectance.size(); ++i)
-    expect_same_bits(a.reflectance[i], b.reflectance[i]);
+    expect_same_bits(a.reflectance[i].values(), b.reflectance[i].values());
 }
 
 void expect_same_light(const Lighting& a, const Lighting& b) {
@@ -96,6 +96,21 @@ TEST(StateDump, KeepsTheWavelengthsOfItsBands) {
   const auto wrong = read_state(scratch.path("b.h5"));
   ASSERT_FALSE(wrong);
   EXPECT_NE(wrong.error().message.find("38 bands, the model 13"), std::string::npos);
+}
+
+TEST(StateDump, ItsGroundIsThatOfItsCorner) {
+  const Scratch scratch;
+  StateDump dump = made_up_dump(20, 10, 2, 3);
+  dump.state.reflectance[1].fill(0.6f);
+  dump.state.reflectance[1].set(7, 4, 0.1f);
+  ASSERT_TRUE(write_state(scratch.path("a.h5"), dump, {}));
+  const auto back = read_state(scratch.path("a.h5"));
+  ASSERT_TRUE(back) << back.error().message;
+  const GroundPlane& plane = back->state.reflectance[1];
+  EXPECT_EQ(plane.ground(), 0.6f);
+  EXPECT_EQ(plane(7, 4), 0.1f);
+  // So it takes memory only where it was painted.
+  for (int x = 0; x < 20; ++x) EXPECT_EQ(plane.differences().bits()(x, 4) != 0, x == 7);
 }
 
 TEST_P(DumpShape, ComesBackBitForBit) {

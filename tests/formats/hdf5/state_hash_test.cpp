@@ -61,8 +61,8 @@ TEST(StateHash, ChangesWithEveryPlane) {
   EXPECT_TRUE(changed([](CanvasState& s) { s.velocity_x_m_s(8, 7) += 1; }));
   EXPECT_TRUE(changed([](CanvasState& s) { s.velocity_y_m_s(8, 7) += 1; }));
   EXPECT_TRUE(changed([](CanvasState& s) { s.base_m(8, 7) += 1; }));
-  EXPECT_TRUE(changed([](CanvasState& s) { s.paper_m(8, 7) += 1; }));
-  EXPECT_TRUE(changed([](CanvasState& s) { s.reflectance[2](8, 7) += 1; }));
+  EXPECT_TRUE(changed([](CanvasState& s) { s.paper.set(8, 7, s.base_m(8, 7), 1); }));
+  EXPECT_TRUE(changed([](CanvasState& s) { s.reflectance[2].set(8, 7, 1); }));
   EXPECT_TRUE(changed([](CanvasState& s) { s.channel(1, 0)(8, 7) += 1; }));
   EXPECT_TRUE(changed([](CanvasState& s) { s.stroke(8, 7) += 1; }));
   EXPECT_TRUE(changed([](CanvasState& s) { s.step += 1; }));

@@ -11,10 +11,11 @@ namespace {
 
 /// Cells that a patch of thin paint reaches, x 20 to 59 and y 20 to 39 of a canvas of 100 x 200
 /// cells of 1 mm.
-std::set<std::pair<int, int>> reached(const TiltedTime& tilted) {
+std::set<std::pair<int, int>> reached(const TiltedTime& tilted,
+                                      const CellBox& among = {0, 100, 0, 200}) {
   std::set<std::pair<int, int>> cells;
   for_drips(
-      {100, 200, 0.1, 0.2}, tilted,
+      {100, 200, 0.1, 0.2}, among, tilted,
       [](int x, int y) { return x >= 20 && x < 60 && y >= 20 && y < 40; },
       [&](int, int, int x, int y) { cells.emplace(x, y); });
   return cells;
@@ -59,6 +60,13 @@ TEST(Drips, RunWhereGravityPulls) {
     EXPECT_GE(y, 20);
     EXPECT_LT(y, 40);
   }
+}
+
+TEST(Drips, OnlyTheGivenCellsAreLookedAt) {
+  // The lower edge of the patch is row 39.
+  EXPECT_TRUE(reached(tilted(0, 9.81, 2), {0, 100, 0, 39}).empty());
+  EXPECT_TRUE(reached(tilted(0, 9.81, 2), {60, 100, 0, 200}).empty());
+  EXPECT_EQ(reached(tilted(0, 9.81, 2), {20, 60, 20, 40}), reached(tilted(0, 9.81, 2)));
 }
 
 TEST(Drips, TiltingThereAndBackIsNoWay) {

@@ -21,11 +21,12 @@ constexpr std::int64_t kCells = 120'000;
 constexpr std::int64_t kState = kCells * 13 * 4;
 constexpr std::int64_t kShader = 60 * kMB;  // Mesa and what it compiles
 
-std::string log_on(int width, int height) {
+std::string log_on(int width, int height, const std::string& paper = "canvas") {
   return R"({"type":"header","format":"pentimento-log","version":1,"canvas":{"width":0.4,)"
          R"("height":0.3},"grid":{"width":)" +
          std::to_string(width) + R"(,"height":)" + std::to_string(height) +
-         R"(},"palette":[{"name":"blue","color":"#1f2f8c"},{"name":"red","color":"#8c2f1f"}]})"
+         R"(},"paper":{"texture":")" + paper +
+         R"("},"palette":[{"name":"blue","color":"#1f2f8c"},{"name":"red","color":"#8c2f1f"}]})"
          "\n"
          R"({"t":0.1,"type":"touch","phase":"down","x":0.1,"y":0.1})"
          "\n"
@@ -127,9 +128,10 @@ TEST(MemoryEstimate, ALargeCanvasTakesMemoryWhereThereIsPaint) {
   constexpr std::int64_t kLarge = 2560 * 2048;
   e.folder.write("a.jsonl", log_on(2560, 2048));
   EXPECT_TRUE(memory_follows_paint(e.session()));
-  // Three bands of reflectance and two reliefs everywhere, eight planes and the scheme's in a
-  // quarter.
-  EXPECT_EQ(e.memory(), 75 * kMB + kLarge * 5 * 4 + kLarge / 4 * (8 + 24) * 4);
+  // The paper's relief everywhere, twelve planes and the scheme's in a quarter.
+  EXPECT_EQ(e.memory(), 75 * kMB + kLarge * 4 + kLarge / 4 * (12 + 24) * 4);
+  e.folder.write("a.jsonl", log_on(2560, 2048, "smooth"));
+  EXPECT_EQ(e.memory(), 75 * kMB + kLarge / 4 * (13 + 24) * 4);
   e.job.model = {{"scheme", "paper"}};
   EXPECT_FALSE(memory_follows_paint(e.session()));
   EXPECT_EQ(e.memory(), 75 * kMB + kLarge * (13 + 24) * 4);

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "tests/core/base/resident_memory.h"
+#include "tests/core/canvas/set_base.h"
 #include "tests/formats/scratch.h"
 
 namespace pentimento {
@@ -176,12 +178,26 @@ TEST(PaintSurvey, CountsWhatADumpBrings) {
   state = make_canvas_state(session->grid, session->model.layers, session->basis.channels(), 3, 1);
   for (int y = 200; y < 232; ++y) {
     state.pigment[1].row(y)[100] = 0.1f;  // red, two tiles of 16 cells high
-    state.base_m.row(y)[300] += 1e-4f;    // dried, in others
+    set_base(state, 300, y, 1e-4f);       // dried, in others
   }
   const Result<PaintSurvey> more = survey_paint(*session, DetailCost());
   ASSERT_TRUE(fresh && more);
   EXPECT_EQ(more->tiles, fresh->tiles + 6);  // 200 to 231 lies in three rows of tiles
   EXPECT_GT(more->detail_bytes, fresh->detail_bytes);
+}
+
+TEST(PaintSurvey, OnALargeCanvasTakesMemoryWhereThereIsPaint) {
+  if (is_marked_when_given()) GTEST_SKIP();
+  const test::Scratch scratch;
+  Result<LogSession> session = session_of(scratch, stroke(0, 0.15), 1);
+  ASSERT_TRUE(session);
+  session->grid.width = session->grid.height = 4096;
+  const long before_mib = resident_mib();
+  const Result<PaintSurvey> found = survey_paint(*session, DetailCost());
+  ASSERT_TRUE(found);
+  // The stroke covers 330 x 30 mm of a canvas of 400 x 300, a twelfth of 336 MB for wet cells.
+  EXPECT_GT(found->stamps, 300);
+  EXPECT_LT(resident_mib() - before_mib, 120);
 }
 
 TEST(PaintSurvey, StopsWhereItIsToldTo) {

@@ -85,7 +85,7 @@ TEST(FieldHashes, EachFieldHasItsOwnAndNamesItsTile) {
       [&] { state.depth_m(9, 17) = 1e-30f; },
       [&] { state.velocity_x_m_s(9, 17) = -0.0f; },  // other bits
       [&] { state.velocity_y_m_s(9, 17) = 1; }, [&] { state.base_m(9, 17) = 1; },
-      [&] { state.reflectance[2](9, 17) = 1; }, [&] { state.channel(1, 2)(9, 17) = 1; },
+      [&] { state.reflectance[2].set(9, 17, 1); }, [&] { state.channel(1, 2)(9, 17) = 1; },
       [&] { state.stroke(9, 17) = 1; },
       // The third row's second tile falls asleep, all others are awake.
       [&] { state.sleep[(2 * 8 + 1) * conservative::kSleepValues] = 1; }};

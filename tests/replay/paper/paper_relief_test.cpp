@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tests/core/base/resident_memory.h"
+
 namespace pentimento {
 namespace {
 
@@ -33,6 +35,21 @@ Facts facts_of(const std::string& texture, int width, int height) {
   }
   facts.rms = std::sqrt(std::max(0.0, squares - facts.mean * facts.mean));
   return facts;
+}
+
+TEST(PaperRelief, ASmoothOneTakesNoMemory) {
+  if (is_marked_when_given()) GTEST_SKIP();
+  log::PaperSpec paper;
+  LogFiles files("-", false);
+  for (const bool flat : {false, true}) {
+    paper.texture = flat ? "linen" : "smooth";
+    paper.relief_m = flat ? 0 : 1;
+    const long before_mib = resident_mib();
+    // A plane of 256 MiB, and a sanitizer's shadow of it.
+    const Result<Field<float>> made = paper_relief(paper, {8192, 8192, 0.2, 0.2}, files);
+    ASSERT_TRUE(made);
+    EXPECT_LT(resident_mib() - before_mib, 80);
+  }
 }
 
 TEST(PaperRelief, StaysWithinTheRelief) {
