@@ -11,6 +11,7 @@
 #include "core/base/plane_memory.h"
 #include "core/base/thread_count.h"
 #include "core/shading/light_lock.h"
+#include "core/shading/tile_plan.h"
 #include "replay/output/output_plan.h"
 #include "replay/output/output_set.h"
 
@@ -23,6 +24,7 @@ constexpr std::int64_t kProgramme = 75 * kMB;  // code, libraries
 constexpr std::int64_t kSchemePlanes = 24;     // scratch of a scheme and the brush's contact
 constexpr std::int64_t kFollowedCell = 150;    // noted of a cell of the guide for the detail canvas
 constexpr std::int64_t kShader = 60 * kMB;     // Mesa and what it compiles
+constexpr std::int64_t kShadedCell = 80;       // of a tile: packed, and in Mesa's textures
 constexpr std::int64_t kDumpCache = 64 * kMB;  // chunks being compressed
 constexpr std::int64_t kDumpRead = 256 * kMB;  // of a detail canvas that goes on, at most
 constexpr std::int64_t kLeastDetail = 128 * kMB;  // of a scratch file held: tiles at work
@@ -85,22 +87,43 @@ std::int64_t light_lock_bytes(const LogSession& session, const OutputSize& size,
          std::int64_t{session.grid.width} * session.grid.height * 3 * 4;
 }
 
+/// What is drawn of a picture, along both axes: its pixels or, where several cells that are no
+/// whole number lie on a pixel, the cells, whose light is then averaged.
+struct DrawnPicture {
+  SampleAxis x, y;
+  int columns = 0, rows = 0;  // of the crop
+};
+
+DrawnPicture drawn_picture(const LogSession& session, const OutputSize& size) {
+  const int width = session.size.width, height = session.size.height;
+  const bool is_small = width <= session.grid.width && height <= session.grid.height;
+  const int k = is_small ? 1 : session.detail;  // a small picture shows the simulation's own grid
+  const int nx = k * session.grid.width, ny = k * session.grid.height;
+  const int samples = std::max(samples_per_pixel(nx, width), samples_per_pixel(ny, height));
+  const bool is_whole = nx == width * samples && ny == height * samples;
+  if (is_whole || width > nx || height > ny)
+    return {{nx, width, samples}, {ny, height, samples}, size.width, size.height};
+  const auto cells = [](int pixels, int of, int along) {
+    return static_cast<int>(std::int64_t{pixels} * along / of);
+  };
+  return {{nx, nx, 1}, {ny, ny, 1}, cells(size.width, width, nx), cells(size.height, height, ny)};
+}
+
 /// Shading in tiles: a tile's part of the canvas as it is packed and as textures, its targets, and
 /// the strips on their way into files.
 std::int64_t shading_bytes(const LogSession& session, const RenderJob& job, const OutputSize& size,
                            std::int64_t planes) {
-  const PictureChoice& choice = job.picture;
-  const std::int64_t across = std::min<std::int64_t>(choice.tile, size.width);
-  const std::int64_t down = std::min<std::int64_t>(choice.tile, size.height);
-  const std::int64_t cells = std::int64_t{session.grid.width} * session.detail;
-  const double cells_a_pixel = std::min(2.0, static_cast<double>(cells) / session.size.width);
-  const std::int64_t texels = 2 + session.model.layers * ((session.basis.channels() + 3) / 4);
-  const auto window =
-      static_cast<std::int64_t>(static_cast<double>(across * down) * cells_a_pixel * cells_a_pixel);
-  const std::int64_t strip = std::int64_t{size.width} * down * planes;
+  const DrawnPicture drawn = drawn_picture(session, size);
+  TileDemand demand{drawn.x, drawn.y, {0, drawn.columns}, {0, drawn.rows}, job.picture.tile};
+  demand.planes = static_cast<int>(planes);
+  const TilePlan tiles = plan_tiles(demand);
+  const std::int64_t window =
+      std::int64_t{drawn.x.most_cells(tiles.width)} * drawn.y.most_cells(tiles.height);
+  const std::int64_t targets = std::int64_t{tiles.width} * tiles.height * 16 * 2;
+  const std::int64_t strip = std::int64_t{drawn.columns} * tiles.height * planes;
   // While a strip is written, several threads draw the next.
   const std::int64_t strips = wanted_threads(job.threads) > 1 ? 2 : 1;
-  return kShader + window * 16 * (texels + 1) + across * down * 16 * 2 + strip * (4 * strips + 3) +
+  return kShader + window * kShadedCell + targets + strip * (4 * strips + 3) +
          light_lock_bytes(session, size, planes);
 }
 

@@ -150,12 +150,16 @@ TEST(MemoryEstimate, APictureIsShadedInTiles) {
   Estimated picture({"a.png"});
   picture.job.picture.tile = 64;
   picture.job.threads = 1;
-  // Of a pixel: four texels and the packed one, two targets, each 16 bytes; strips of 64 rows in
-  // float and on their way into the file.
-  const std::int64_t shading = kShader + 64 * 64 * 16 * (5 + 2) + 400 * 64 * 3 * 7;
+  // 80 bytes of a tile's cell and of six around it; two targets of 16 bytes a pixel; strips of 64
+  // rows in float and on their way into the file.
+  constexpr std::int64_t kTargets = 64 * 64 * 16 * 2;
+  const std::int64_t shading = kShader + 70 * 70 * 80 + kTargets + 400 * 64 * 3 * 7;
   EXPECT_EQ(picture.memory(), memory_without_outputs() + shading);
-  picture.job.size.width = 100;  // four cells a pixel, of which two are packed
-  const std::int64_t reduced = kShader + 64 * 64 * 16 * (5 * 4 + 2) + 100 * 64 * 3 * 7;
+  // Cells are drawn one by one where several that are no whole number lie on a pixel.
+  picture.job.size.width = 160;
+  EXPECT_EQ(picture.memory(), memory_without_outputs() + shading);
+  picture.job.size.width = 100;  // four cells a pixel, along either side
+  const std::int64_t reduced = kShader + 262 * 262 * 80 + kTargets + 100 * 64 * 3 * 7;
   EXPECT_EQ(picture.memory(), memory_without_outputs() + reduced);
   // Of several threads one writes a strip while the others draw the next.
   picture.job.threads = 2;
