@@ -1,5 +1,7 @@
 #include "core/fluid/conservative/advection/remap_plan.h"
 
+#include <cmath>
+
 #include "core/base/kernel.h"
 
 namespace pentimento::conservative {
@@ -22,15 +24,17 @@ void plan_remap_row(const float* __restrict edge_lo, const float* __restrict edg
     const float lo = edge_lo[i];
     const float hi = edge_hi[i];
     const float length = 1 + hi - lo;
-    const float low = lo < 0 ? -lo : lo;
-    const float high = hi < 0 ? -hi : hi;
-    const bool near = (low <= 1) & (high <= 1) & (length >= kMinLength);
-    const float inverse = 1 / (near ? length : 1.0f);
-    const float over_lo = lo < 0 ? -lo * inverse : 0.0f;
-    const float over_hi = hi > 0 ? hi * inverse : 0.0f;
-    tau_lo[i] = near ? over_lo : 0.0f;
-    tau_hi[i] = near ? over_hi : 0.0f;
-    stay[i] = near ? 1.0f : 0.0f;
+    const float low = std::abs(lo);
+    const float high = std::abs(hi);
+    const float farther = low > high ? low : high;
+    // Masks as numbers: of conditions that follow from one another the compiler makes branches.
+    const float near = (length >= kMinLength ? 1.0f : 0.0f) * (farther <= 1 ? 1.0f : 0.0f);
+    const float inverse = near / (length > kMinLength ? length : kMinLength);
+    const float below = 0.5f * (low - lo);  // -lo where lo < 0, else 0, without rounding
+    const float above = 0.5f * (high + hi);
+    tau_lo[i] = (below < 1 ? below : 1.0f) * inverse;
+    tau_hi[i] = (above < 1 ? above : 1.0f) * inverse;
+    stay[i] = near;
   }
 }
 

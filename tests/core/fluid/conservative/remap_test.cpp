@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "core/fluid/conservative/advection/crowd_limit.h"
@@ -37,6 +38,41 @@ TEST(Remap, MovesByHand) {
   // Half a cell to the right, flat profile: half of each cell goes over its high edge.
   const std::vector<float> out = moved({0, 1, 0, 0}, {0, 0.5f, 0.5f, 0.5f, 0}, 1, false, 0);
   EXPECT_EQ(out, (std::vector<float>{0, 0.5f, 0.5f, 0}));
+}
+
+TEST(Remap, PlansUpToACellAndSixtyFourthsOfOne) {
+  struct Cell {
+    float lo, hi, tau_lo, tau_hi, stay;
+  };
+  constexpr float kMore = 1 + 0x1p-20f;
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  const Cell cells[] = {{0, 0, 0, 0, 1},
+                        {-0.0f, -0.0f, 0, 0, 1},
+                        {-0.5f, 0.5f, 0.25f, 0.25f, 1},
+                        {-1, 1, 1.0f / 3, 1.0f / 3, 1},      // to the ends of both neighbours
+                        {1, 1, 0, 1, 1},                     // wholly into the next
+                        {-1, -1, 1, 0, 1},                   // wholly into the one before
+                        {-kMore, -1, 0, 0, 0},               // beyond
+                        {1, kMore, 0, 0, 0},                 // beyond
+                        {0.984375f, 0, 0, 0, 1},             // a sixty-fourth is left of it
+                        {0.984375f + 0x1p-20f, 0, 0, 0, 0},  // less
+                        {1, -1, 0, 0, 0},                    // its edges change order
+                        {-80, 80, 0, 0, 0},
+                        {0, kInfinity, 0, 0, 0},
+                        {-kInfinity, 0, 0, 0, 0}};
+  for (const Cell& cell : cells) {
+    // Many side by side, for vectors, and one more.
+    constexpr int kCells = 33;
+    const std::vector<float> lo(kCells, cell.lo), hi(kCells, cell.hi);
+    std::vector<float> tau_lo(kCells), tau_hi(kCells), stay(kCells);
+    plan_remap_row(lo.data(), hi.data(), kCells, tau_lo.data(), tau_hi.data(), stay.data());
+    for (std::size_t i = 0; i < kCells; ++i) {
+      EXPECT_EQ(tau_lo[i], cell.tau_lo) << cell.lo << ' ' << cell.hi;
+      EXPECT_EQ(tau_hi[i], cell.tau_hi) << cell.lo << ' ' << cell.hi;
+      EXPECT_EQ(stay[i], cell.stay) << cell.lo << ' ' << cell.hi;
+    }
+    EXPECT_EQ(count_far_row(stay.data(), kCells), cell.stay == 0 ? kCells : 0);
+  }
 }
 
 TEST(Remap, MovesWholeCellsExactly) {
