@@ -15,6 +15,14 @@ void raise_where_held(const float* total, int cells, int layer, int* __restrict 
   for (int i = 0; i < cells; ++i)
     occupied[i] = total[i] > kEmptyLayerAmount ? layer + 1 : occupied[i];
 }
+
+PENTIMENTO_KERNEL
+int most_of(const int* values, int n) {
+  // From the first value on, for vectors that were just written are read as they were written.
+  int most = values[0];
+  for (int i = 0; i < n; ++i) most = values[i] > most ? values[i] : most;
+  return most;
+}
 }  // namespace
 
 void PacketTotals::find(const LayerRow& row, int first, int cells) {
@@ -34,7 +42,7 @@ int PacketTotals::find_occupied(int layers, std::array<int, kPacketCells>& occup
   std::fill_n(occupied.begin(), count, 0);
   for (int layer = 0; layer < layers; ++layer)
     raise_where_held(total[static_cast<std::size_t>(layer)].data(), count, layer, occupied.data());
-  return *std::max_element(occupied.begin(), occupied.begin() + count);
+  return most_of(occupied.data(), count);
 }
 
 }  // namespace pentimento

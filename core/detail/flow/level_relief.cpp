@@ -5,6 +5,7 @@
 
 #include "core/detail/flow/relief_bands.h"
 #include "core/detail/flow/surface_spline.h"
+#include "core/detail/flow/way_to_bare.h"
 #include "core/fluid/conservative/solve/capillary_row.h"
 
 namespace pentimento {
@@ -67,31 +68,6 @@ FineWindow read_window(const DetailCanvas& canvas, const CellBox& box) {
   return window;
 }
 
-/// Way to the nearest bare cell, in thirds of a cell; far ones count as `far`. Chamfer distance
-/// 3-4: Borgefors, Computer Vision, Graphics, and Image Processing 34 (1986) 344-371.
-Field<int> way_to_bare(const Field<float>& depth_m, int far) {
-  const int columns = depth_m.width(), rows = depth_m.height();
-  Field<int> way(columns, rows, far);
-  const auto lower = [&](int x, int y, int from_x, int from_y, int step) {
-    if (from_x < 0 || from_x >= columns || from_y < 0 || from_y >= rows) return;
-    way(x, y) = std::min(way(x, y), way(from_x, from_y) + step);
-  };
-  for (int y = 0; y < rows; ++y) {
-    for (int x = 0; x < columns; ++x) {
-      if (!(depth_m(x, y) > kBare_m)) way(x, y) = 0;
-      lower(x, y, x - 1, y, 3);
-      for (int i = -1; i <= 1; ++i) lower(x, y, x + i, y - 1, i == 0 ? 3 : 4);
-    }
-  }
-  for (int y = rows - 1; y >= 0; --y) {
-    for (int x = columns - 1; x >= 0; --x) {
-      lower(x, y, x + 1, y, 3);
-      for (int i = -1; i <= 1; ++i) lower(x, y, x + i, y + 1, i == 0 ? 3 : 4);
-    }
-  }
-  return way;
-}
-
 /// Share of a film `deep` cells deep that stands `way` thirds of a cell from a bare one. The film
 /// rises at conservative::kContactSlope in the mean, or to its full depth on the way `far`: a
 /// quarter of an ellipse.
@@ -152,7 +128,7 @@ void find_factors(const DetailCanvas& canvas, const CanvasState& guide, float te
     level_bands({kYieldStress_Pa / tension_N_m, cell_m}, k, film, relief);
   // Films end at an angle on bare canvas.
   const int far = 3 * k / 2;
-  const Field<int> way = way_to_bare(window.depth_m, far);
+  const Field<int> way = way_to_bare(window.depth_m, kBare_m, far);
   const int left = (job.box.x0 - box.x0) * k, top = (job.box.y0 - box.y0) * k;
   job.factor = Field<float>(job.box.width() * k, job.box.height() * k);
   for (int y = 0; y < job.factor.height(); ++y) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/kernel.h"
+#include "core/base/transpose.h"
 
 namespace pentimento {
 namespace {
@@ -32,37 +33,48 @@ struct WidthDivider {
   bool multiplies;
 };
 
-/// Mean over cells i - before .. i - before + width - 1 of the rows y .. y + kRows - 1. They are
-/// done side by side, for each sum waits for the one before it.
-template <int kRows>
-void mean_along(const Field<float>& in, int y, int width, int before, Field<float>& out) {
-  const int n = in.width();
-  const WidthDivider divider(width);
-  const float* from[kRows];
-  float* to[kRows];
-  double sum[kRows] = {};
-  for (int r = 0; r < kRows; ++r) {
-    from[r] = in.row(y + r);
-    to[r] = out.row(y + r);
-    for (int i = -before; i < width - before; ++i)
-      sum[r] += static_cast<double>(from[r][std::clamp(i, 0, n - 1)]);
+// Rows that are averaged along together, turned so that a vector has one cell of each: each sum
+// waits for the one before it.
+constexpr int kTurned = 16;
+
+/// Cells of kTurned rows as columns: cell i of row r is value[i * kTurned + r].
+using TurnedRows = std::vector<float>;
+
+/// Means over cells i - before .. i - before + width - 1 of each row of `n` cells.
+PENTIMENTO_KERNEL
+void mean_turned(const WidthDivider& given, const float* in, int n, int width, int before,
+                 float* __restrict out) {
+  const WidthDivider divider = given;
+  const auto cells_at = [&](int i) {
+    return in + std::ptrdiff_t{kTurned} * std::clamp(i, 0, n - 1);
+  };
+  double sum[kTurned] = {};
+  for (int i = -before; i < width - before; ++i) {
+    const float* cells = cells_at(i);
+    for (int r = 0; r < kTurned; ++r) sum[r] += static_cast<double>(cells[r]);
   }
   for (int i = 0; i < n; ++i) {
-    const int enters = std::clamp(i - before + width, 0, n - 1);
-    const int leaves = std::clamp(i - before, 0, n - 1);
-    for (int r = 0; r < kRows; ++r) {
-      to[r][i] = divider.mean(sum[r]);
-      sum[r] += static_cast<double>(from[r][enters]) - static_cast<double>(from[r][leaves]);
+    const float* enters = cells_at(i - before + width);
+    const float* leaves = cells_at(i - before);
+    for (int r = 0; r < kTurned; ++r) {
+      out[i * kTurned + r] = divider.mean(sum[r]);
+      sum[r] += static_cast<double>(enters[r]) - static_cast<double>(leaves[r]);
     }
   }
 }
 
-void mean_along(const Field<float>& in, int width, int before, Field<float>& out) {
-  constexpr int kTogether = 8;
-  int y = 0;
-  for (; y + kTogether <= in.height(); y += kTogether)
-    mean_along<kTogether>(in, y, width, before, out);
-  for (; y < in.height(); ++y) mean_along<1>(in, y, width, before, out);
+/// The means of the means along each row, which lean by `first` and by `second`.
+void mean_along_twice(const Field<float>& in, int width, int first, int second, Field<float>& out) {
+  const int n = in.width();
+  const WidthDivider divider(width);
+  TurnedRows rows(static_cast<std::size_t>(n) * kTurned), means(rows.size());
+  for (int y = 0; y < in.height(); y += kTurned) {
+    const int count = std::min(kTurned, in.height() - y);
+    transpose({in.row(y), in.view().stride()}, count, n, {rows.data(), kTurned});
+    mean_turned(divider, rows.data(), n, width, first, means.data());
+    mean_turned(divider, means.data(), n, width, second, rows.data());
+    transpose({rows.data(), kTurned}, n, count, {out.row(y), out.view().stride()});
+  }
 }
 
 PENTIMENTO_KERNEL
@@ -82,7 +94,7 @@ void write_means(const WidthDivider& given, const float* enters, const float* le
   }
 }
 
-/// The same down the columns.
+/// The same down the columns, once.
 void mean_down(const Field<float>& in, int width, int before, Field<float>& out) {
   const auto row = [&](int y) { return in.row(std::clamp(y, 0, in.height() - 1)); };
   const WidthDivider divider(width);
@@ -110,8 +122,7 @@ void triangle_mean(const Field<float>& in, int width, Field<float>& out) {
   // The second mean leans the other way, so that an even width is symmetric too.
   const int first = width / 2, second = width - 1 - first;
   Field<float> between(in.width(), in.height());
-  mean_along(in, width, first, between);
-  mean_along(between, width, second, out);
+  mean_along_twice(in, width, first, second, out);
   mean_down(out, width, first, between);
   mean_down(between, width, second, out);
 }

@@ -120,22 +120,24 @@ TEST(Reservoir, SamplesARowAsEachOfItsCells) {
   }
 }
 
-// The same, with each component by itself.
+// The same, with each component by itself: of cells that lie texels apart, and of cells of which
+// many lie between the same four.
 TEST(Reservoir, SamplesARowPlaneByPlane) {
   for (const int channels : {3, 6}) {
     const Reservoir reservoir = filled_anyhow(channels);
-    const TipRow row{-0.7f, 0.6f, 0.0291f, -0.0283f};
     constexpr int kFirst = 3;
     const std::size_t stride = static_cast<std::size_t>(reservoir.stride());
     std::vector<float> planes(stride * kSampledCells), alone(stride);
-    for (const int cells : {4, kSampledCells}) {
-      reservoir.sample_planes(row, kFirst, cells, planes.data());
-      for (int x = 0; x < cells; ++x) {
-        reservoir.sample(row.u(kFirst + x), row.v(kFirst + x), alone.data());
-        for (std::size_t k = 0; k < stride; ++k)
-          ASSERT_EQ(planes[k * kSampledCells + static_cast<std::size_t>(x)], alone[k]) << x;
+    for (const TipRow& row :
+         {TipRow{-0.7f, 0.6f, 0.0291f, -0.0283f}, TipRow{-0.1f, 0.2f, 0.0041f, -0.0023f}})
+      for (const int cells : {4, 8, 12, kSampledCells}) {
+        reservoir.sample_planes(row, kFirst, cells, planes.data());
+        for (int x = 0; x < cells; ++x) {
+          reservoir.sample(row.u(kFirst + x), row.v(kFirst + x), alone.data());
+          for (std::size_t k = 0; k < stride; ++k)
+            ASSERT_EQ(planes[k * kSampledCells + static_cast<std::size_t>(x)], alone[k]) << x;
+        }
       }
-    }
   }
 }
 
