@@ -54,10 +54,10 @@ inline TipLevel stamp_tip_level(const StampPlan& plan, float cell_m) {
   return plan.tip->level_for(cell_m / plan.pose.diameter_m, plan.state);
 }
 
-/// The hold of the bristles, in [0,2], at v in tip coordinates, where the tip's value is `value`.
-/// `grip`: Tip::grip_table().
-inline float stamp_hold(const StampPlan& plan, const BristleTable& grip, float value, float v) {
-  return std::min(1.0f, value / plan.mean) * grip.at(v);
+/// The hold of the bristles, in [0,2], where the tip's value is `value`. `grip`: Tip::grip_table()
+/// there.
+inline float stamp_hold(const StampPlan& plan, float value, float grip) {
+  return std::min(1.0f, value / plan.mean) * grip;
 }
 
 struct CellHeight {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/kernel.h"
 #include "core/brush/resample.h"
 #include "core/brush/stamp_shares.h"
 
@@ -38,11 +39,45 @@ struct TexelPlace {
     frac = x - static_cast<float>(low);
   }
 };
+
+/// The step of a table before each of a row of places, and how far the place lies beyond it.
+PENTIMENTO_KERNEL
+void find_steps(float v0, float dv, int first, int n, int* __restrict step,
+                float* __restrict beyond) {
+  for (int i = 0; i < n; ++i) {
+    const float v = v0 + dv * static_cast<float>(first + i);
+    const float x =
+        std::clamp((v + 0.5f) * BristleTable::kSteps, 0.0f, BristleTable::kSteps - 0.001f);
+    const int whole = static_cast<int>(x);
+    step[i] = whole;
+    beyond[i] = x - static_cast<float>(whole);
+  }
+}
+
+PENTIMENTO_KERNEL
+void between_rows(const float* __restrict low, const float* __restrict high,
+                  const float* __restrict beyond, int n, float* __restrict out) {
+  for (int i = 0; i < n; ++i) out[i] = low[i] + beyond[i] * (high[i] - low[i]);
+}
 }  // namespace
 
 TipMap::TipMap(const Field<float>& map)
     : size_(map.width()), padded_(map.width() + 2, map.width() + 2) {
   for (int y = 0; y < size_; ++y) std::copy_n(map.row(y), size_, padded_.row(y + 1) + 1);
+}
+
+void BristleTable::row(float v0, float dv, int first, int n, float* out) const {
+  PENTIMENTO_CHECK(n <= kMostInRow);
+  std::array<int, kMostInRow> step;
+  std::array<float, kMostInRow> beyond, low, high;
+  find_steps(v0, dv, first, n, step.data(), beyond.data());
+  // Processors look values up one by one; all else is vectors.
+  for (std::size_t i = 0; i < static_cast<std::size_t>(n); ++i) {
+    const float* at = value_.data() + step[i];
+    low[i] = at[0];
+    high[i] = at[1];
+  }
+  between_rows(low.data(), high.data(), beyond.data(), n, out);
 }
 
 BristleTable BristleTable::averaged(float width) const {

@@ -61,6 +61,9 @@ class BristleTable {
     const std::size_t i = static_cast<std::size_t>(x);
     return value_[i] + (x - static_cast<float>(i)) * (value_[i + 1] - value_[i]);
   }
+  static constexpr int kMostInRow = 64;
+  /// at(v0 + dv i) for i = first .. first + n - 1, n <= kMostInRow.
+  void row(float v0, float dv, int first, int n, float* out) const;
   /// The mean of at() over [v - width / 2, v + width / 2] at each step, exact. `width` > 0, in
   /// diameters.
   BristleTable averaged(float width) const;

@@ -389,7 +389,7 @@ void Transfer::weigh_row(const StampPlan& plan, int y) {
   std::size_t at = touched.at;
   for (int x = touched.begin; x < touched.end; ++x, ++at) {
     const float v = tip.v(x), height = base[x] + depth[x];
-    hold_[at] = stamp_hold(plan, grip, value[x], v);
+    hold_[at] = stamp_hold(plan, value[x], grip.at(v));
     const float open = scrapes ? ends.open.at(v) : 0.0f;
     const float levelled = value[x] * stamp_level_factor(plan, open, passed_m[x]);
     share += static_cast<double>(levelled);

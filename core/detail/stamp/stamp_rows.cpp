@@ -16,24 +16,21 @@ struct MeasuredRow {
   float *hold, *pick_up_weight, *share;
 };
 
-/// `from`: the index, along `tip`, of the first cell.
 PENTIMENTO_KERNEL
-void measure_row(const StampPlan& given, const BristleTable& grip, const TipRow& tip, int from,
-                 int n, const float* value, const float* base, const float* depth,
-                 const MeasuredRow& out) {
+void measure_row(const StampPlan& given, const float* grip, int n, const float* value,
+                 const float* base, const float* depth, const MeasuredRow& out) {
   const StampPlan plan = given;  // nobody else's: what is stored below does not change it
-  const float v0 = tip.v0, dv = tip.dv;
   float* __restrict hold = out.hold;
   float* __restrict share = out.share;
-  // Two loops: the second is one of vectors, which the table keeps the first from being.
-  for (int i = 0; i < n; ++i)
-    hold[i] = stamp_hold(plan, grip, value[i], v0 + dv * static_cast<float>(from + i));
+  PENTIMENTO_INDEPENDENT
+  for (int i = 0; i < n; ++i) hold[i] = stamp_hold(plan, value[i], grip[i]);
   PENTIMENTO_INDEPENDENT
   for (int i = 0; i < n; ++i)
     share[i] = plan.share_scale * stamp_levelled(plan, value[i], 0.0f, base[i], depth[i]);
 }
 
-/// For a blade, after measure_row(): corrects the values under its ends.
+/// For a blade, after measure_row(): corrects the values under its ends. `from`: the index, along
+/// `tip`, of the first cell.
 PENTIMENTO_KERNEL
 void measure_blade(const StampPlan& given, const BladeEnds& ends, const TipRow& tip, int from,
                    int n, const float* value, const float* base, const float* depth,
@@ -205,8 +202,9 @@ void StampRows::measure(const QueuedStamp& stamp, int y, const StampPacket& pack
   const std::ptrdiff_t cell = row(y, packet.first).offset;
   const float *base = tile_->base_m.data() + cell, *depth = tile_->depth_m.data() + cell;
   const int from = packet.first - touched;
-  measure_row(stamp.plan(), stamp.grip(), part, from, packet.cells, value_.data(), base, depth,
-              out);
+  PacketValues grip;
+  stamp.grip().row(part.v0, part.dv, from, packet.cells, grip.data());
+  measure_row(stamp.plan(), grip.data(), packet.cells, value_.data(), base, depth, out);
   if (stamp.plan().scrape_frac > 0)
     measure_blade(stamp.plan(), stamp.ends(), part, from, packet.cells, value_.data(), base, depth,
                   out);

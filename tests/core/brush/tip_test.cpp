@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include "core/brush/builtin_brushes.h"
 #include "core/brush/resample.h"
@@ -61,6 +63,22 @@ TEST(Tip, ABladeEndsAtItsEnds) {
     const float end = knife.end_table().at(BristleTable::at_step(i));
     EXPECT_TRUE(end >= 0 && end <= 1);
   }
+}
+
+TEST(BristleTable, ARowIsReadAsEachOfItsPlaces) {
+  BristleTable table;
+  for (int i = 0; i <= BristleTable::kSteps; ++i) table[i] = static_cast<float>(i * i % 17);
+  constexpr int kFirst = 3;
+  std::array<float, BristleTable::kMostInRow> row{};
+  // From before the tip to beyond it, backwards, in steps of many steps and of none.
+  for (const auto& [v0, dv] : {std::pair{-0.7f, 0.021f}, {0.6f, -0.0191f}, {0.1f, 0.0001f}, {0, 0}})
+    for (const int n : {1, 17, BristleTable::kMostInRow}) {
+      table.row(v0, dv, kFirst, n, row.data());
+      for (int i = 0; i < n; ++i)
+        EXPECT_EQ(row[static_cast<std::size_t>(i)],
+                  table.at(v0 + dv * static_cast<float>(kFirst + i)))
+            << v0 << ' ' << i;
+    }
 }
 
 TEST(BristleTable, ItsMeanIsThatOfManyPlaces) {
