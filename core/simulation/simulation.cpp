@@ -1,6 +1,7 @@
 #include "core/simulation/simulation.h"
 
 #include <algorithm>
+#include <cstring>
 #include <optional>
 #include <string>
 #include <utility>
@@ -80,7 +81,9 @@ struct Simulation::Impl {
     std::vector<float> row(static_cast<std::size_t>(state.geometry.width));
     for (int y = 0; y < state.geometry.height; ++y) {
       read_paper(state, 0, y, row);
-      std::copy(row.begin(), row.end(), state.base_m.row(y));
+      float* base_m = state.base_m.row(y);
+      if (std::memcmp(row.data(), base_m, row.size() * sizeof(float)) != 0)
+        std::copy(row.begin(), row.end(), base_m);
     }
     return std::move(state.base_m);
   }

@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "core/brush/builtin_brushes.h"
+#include "tests/core/base/resident_memory.h"
 #include "tests/core/simulation/strokes.h"
+#include "tests/sanitized.h"
 
 namespace pentimento {
 namespace {
@@ -337,6 +340,21 @@ TEST(Simulation, ASliderDuringAStrokeLoadsTheBrushAfresh) {
   const double expected = 0.07 * 0.02 * (1e-3 + 0.2e-3);
   EXPECT_NEAR((sim.account().deposited.medium_m3 - sim.account().picked_up.medium_m3) / expected, 1,
               0.03);  // drying of the brush: 1.75 %
+}
+
+TEST(Simulation, ABareCanvasOfSmoothPaperTakesNoMemory) {
+  if (is_marked_when_given()) GTEST_SKIP();
+  const Threads threads(1);
+  SimulationSetup setup = setup_of(64, 2);
+  setup.paper_m = {};
+  setup.geometry.width = setup.geometry.height = 4096;  // planes of 64 MiB
+  const long before_mib = resident_mib();
+  Simulation sim(std::move(setup), threads);
+  // Some fifty planes are there, of which a sanitizer has a shadow.
+  const long most_mib = test::kStride == 1 ? 32 : 50 * 64 / 8;
+  EXPECT_LT(resident_mib() - before_mib, most_mib);
+  sim.clear();
+  EXPECT_LT(resident_mib() - before_mib, most_mib);
 }
 
 TEST(Simulation, ClearGivesAFreshCanvasAndNewBooks) {
