@@ -7,7 +7,7 @@
 namespace pentimento {
 
 namespace {
-constexpr int kBeside = 3, kAcross = 4;  // thirds of a cell to the cells around
+constexpr int kWayBeside = 3, kWayAcross = 4;  // thirds of a cell to the cells around
 
 /// 0 for bare cells. Returns whether there are any.
 PENTIMENTO_KERNEL
@@ -26,17 +26,17 @@ PENTIMENTO_KERNEL
 void lower_by_row(const int* from, int n, int* __restrict way) {
   PENTIMENTO_INDEPENDENT
   for (int x = 0; x < n; ++x) {
-    const int straight = from[x] + kBeside;
+    const int straight = from[x] + kWayBeside;
     way[x] = straight < way[x] ? straight : way[x];
   }
   PENTIMENTO_INDEPENDENT
   for (int x = 1; x < n; ++x) {
-    const int across = from[x - 1] + kAcross;
+    const int across = from[x - 1] + kWayAcross;
     way[x] = across < way[x] ? across : way[x];
   }
   PENTIMENTO_INDEPENDENT
   for (int x = 0; x + 1 < n; ++x) {
-    const int across = from[x + 1] + kAcross;
+    const int across = from[x + 1] + kWayAcross;
     way[x] = across < way[x] ? across : way[x];
   }
 }
@@ -50,11 +50,12 @@ Field<int> way_to_bare(const Field<float>& depth_m, float bare_m, int far) {
   if (!any) return way;
   for (int y = 0; y < rows; ++y) {
     if (y > 0) lower_by_row(way.row(y - 1), columns, way.row(y));
-    for (int x = 1; x < columns; ++x) way(x, y) = std::min(way(x, y), way(x - 1, y) + kBeside);
+    for (int x = 1; x < columns; ++x) way(x, y) = std::min(way(x, y), way(x - 1, y) + kWayBeside);
   }
   for (int y = rows - 1; y >= 0; --y) {
     if (y + 1 < rows) lower_by_row(way.row(y + 1), columns, way.row(y));
-    for (int x = columns - 2; x >= 0; --x) way(x, y) = std::min(way(x, y), way(x + 1, y) + kBeside);
+    for (int x = columns - 2; x >= 0; --x)
+      way(x, y) = std::min(way(x, y), way(x + 1, y) + kWayBeside);
   }
   return way;
 }
