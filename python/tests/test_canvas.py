@@ -70,6 +70,17 @@ def test_fast_strokes_of_many_points_end_in_the_commands_hash_too(tmp_path):
     assert painted.step().state_sha256 == json.loads(told.stdout)["state_sha256"]
 
 
+def test_what_lies_under_the_paint_is_shown_as_it_dries():
+    canvas = pentimento.Canvas(0.4, 0.3, grid=(80, 60), palette=PALETTE)
+    state = canvas.state
+    bare, paper = state.reflectance[0].copy(), state.paper_m.copy()
+    canvas.color(PALETTE[0]).paint([(0.05, 0.1), (0.35, 0.1)]).wait(0.2)
+    assert (state.reflectance[0] == bare).all() and (state.base_m == paper).all()
+    canvas.dry()
+    assert (state.reflectance[0] != bare).any() and (state.reflectance[0] == bare).any()
+    assert (state.base_m > paper).any() and (state.paper_m == paper).all()
+
+
 def test_the_state_is_a_view_of_what_is_there():
     painted = canvas()
     state = painted.state

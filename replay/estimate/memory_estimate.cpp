@@ -115,6 +115,11 @@ std::int64_t shading_bytes(const LogSession& session, const RenderJob& job, cons
                            std::int64_t planes) {
   const DrawnPicture drawn = drawn_picture(session, size);
   TileDemand demand{drawn.x, drawn.y, {0, drawn.columns}, {0, drawn.rows}, job.picture.tile};
+  const auto& aovs = job.picture.aovs;
+  const int amounts = std::find(aovs.begin(), aovs.end(), "pigment") == aovs.end()
+                          ? 0
+                          : (session.basis.channels() + 3) / 4;  // textures of channels
+  demand.input_texels = 1 + amounts;
   demand.planes = static_cast<int>(planes);
   const TilePlan tiles = plan_tiles(demand);
   const std::int64_t window =
@@ -123,7 +128,7 @@ std::int64_t shading_bytes(const LogSession& session, const RenderJob& job, cons
   const std::int64_t strip = std::int64_t{drawn.columns} * tiles.height * planes;
   // While a strip is written, several threads draw the next.
   const std::int64_t strips = wanted_threads(job.threads) > 1 ? 2 : 1;
-  return kShader + window * kShadedCell + targets + strip * (4 * strips + 3) +
+  return kShader + window * (kShadedCell + 16 * amounts) + targets + strip * (4 * strips + 3) +
          light_lock_bytes(session, size, planes);
 }
 

@@ -164,6 +164,14 @@ TEST(MemoryEstimate, APictureIsShadedInTiles) {
   // Of several threads one writes a strip while the others draw the next.
   picture.job.threads = 2;
   EXPECT_EQ(picture.memory(), memory_without_outputs() + reduced + 100 * 64 * 3 * 4);
+  // Amounts of the channels are uploaded where they are asked for: a texture for four of them, and
+  // two planes more of an EXR for two pigments.
+  Estimated drawn({"a.exr"});
+  drawn.job.picture.tile = 64;
+  drawn.job.threads = 1;
+  const std::int64_t plain = drawn.memory();
+  drawn.job.picture.aovs = {"pigment"};
+  EXPECT_EQ(drawn.memory() - plain, 70 * 70 * 16 + 400 * 64 * 2 * 7);
   // A dump after it: Mesa stays.
   picture.job.picture.outputs.push_back(picture.folder.path("a.h5"));
   picture.job.picture.tile = 16;
