@@ -47,7 +47,7 @@ struct Model {
   float wake_gravity_m_s2 = 0.05f;     // a change of gravity that wakes sleeping paint
   float most_cells_moved = 1.2f;       // faster paint makes a step of several parts...
   int most_parts_of_step = 8;          // ...but not of more than these
-  int viscosity_cycles = 2;            // V-cycles per step and velocity component
+  int viscosity_cycles = 1;            // V-cycles per step and velocity component
   int height_cycles = 3;               // V-cycles per step
 
   // Brush and transfer (R21-R28).

@@ -164,7 +164,7 @@ void ConservativeScheme::part_of_step(CanvasState& state, const StepInput& in, i
   pin_edges(state, in);
   passed("edges");
   // 4d. ... and finds how far a force gets where the paint beside it drags, too.
-  find_drag(state.geometry, in.dt_s, tiles_->runs(), in.threads, work_);
+  find_drag(state.geometry, in.dt_s, RunIndex(tiles_->runs(), geometry_.height), in.threads, work_);
   passed("drag");
   // Where nothing moves and nothing gives way, that is all.
   if (part == 0) find_live(in);

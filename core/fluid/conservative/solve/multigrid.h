@@ -66,7 +66,7 @@ class Multigrid {
   void prepare(int levels, const Threads& threads);
   void coarse_cycle(int l, int levels, const Threads& threads);
   void start(const Job& job, bool and_restrict, const Threads& threads);
-  void go_on(const RowWork& finish, const Threads& threads);
+  void go_on(bool and_descend, const RowWork& finish, const Threads& threads);
   void coarsen_system(const Run& fine_run);
   void coarsen_residual(const Run& fine_run);
   bool below_coarse_row(const Run& r) const;

@@ -66,17 +66,24 @@ void restrict_row(const float* __restrict upper, const float* __restrict lower, 
     out[i] = 0.25f * ((upper[2 * i] + upper[2 * i + 1]) + (lower[2 * i] + lower[2 * i + 1]));
 }
 
+namespace {
+
+// The mean of two couplings, a quarter of it, for cells twice as wide, and less by a tenth.
+constexpr float kOfTwo = 0.5f * 0.25f * 0.9f;
+
+}  // namespace
+
 PENTIMENTO_KERNEL
 void coarsen_cx_row(const float* __restrict upper, const float* __restrict lower, int n,
                     float* __restrict out) {
   PENTIMENTO_INDEPENDENT
-  for (int i = 0; i < n; ++i) out[i] = 0.125f * (upper[2 * i + 1] + lower[2 * i + 1]);
+  for (int i = 0; i < n; ++i) out[i] = kOfTwo * (upper[2 * i + 1] + lower[2 * i + 1]);
 }
 
 PENTIMENTO_KERNEL
 void coarsen_cy_row(const float* __restrict lower, int n, float* __restrict out) {
   PENTIMENTO_INDEPENDENT
-  for (int i = 0; i < n; ++i) out[i] = 0.125f * (lower[2 * i] + lower[2 * i + 1]);
+  for (int i = 0; i < n; ++i) out[i] = kOfTwo * (lower[2 * i] + lower[2 * i + 1]);
 }
 
 namespace {

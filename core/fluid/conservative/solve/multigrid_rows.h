@@ -28,9 +28,9 @@ void inverse_diagonal_row(const StencilRow& a, const float* z, int n, float* inv
 
 /// One weighted Jacobi sweep.
 ///   x' = (1 - w) x + w inverse (rhs + sum c x_neighbour)
-/// Scheme: Richardson step on the diagonally scaled system; two with the weights of
-///   multigrid.cpp make a Chebyshev polynomial of degree 2.
-/// Stable: damps every mode for 0 < w < 1; the pair damps all eigenvalues in (0, 2).
+/// Scheme: Richardson step on the diagonally scaled system; four with the weights of
+///   multigrid.cpp make a Chebyshev polynomial of degree 4.
+/// Stable: damps every mode for 0 < w < 1; the four together damp all eigenvalues in (0, 2).
 /// Source: Adams, Brezina, Hu, Tuminaro, J. Comput. Phys. 188 (2003) 593-610.
 /// Departs from it: fixed bounds [1/2, 2] of the spectrum, no estimate.
 void smooth_row(const StencilRow& a, const float* inverse, const float* rhs, const NodeRow& x,
@@ -46,8 +46,13 @@ void residual_row(const StencilRow& a, const float* z, const float* rhs, const N
 /// Mean of 2 x 2 nodes: out[i] of n coarse nodes from two fine rows.
 void restrict_row(const float* upper, const float* lower, int n, float* out);
 
-/// Coarse couplings: the mean of the two fine couplings that they replace, divided by 4, for the
-/// cell is twice as wide. cx joins coarse nodes across fine column 2i+1, cy across fine row 2j+1.
+/// Coarse couplings: nine tenths of the mean of the two fine couplings that they replace, divided
+/// by 4, for the cell is twice as wide. Corrections of a coarser grid fall short of smooth errors;
+/// what is coupled less is corrected more. cx joins coarse nodes across fine column 2i+1, cy across
+/// fine row 2j+1.
+/// Source: Braess, Computing 55 (1995) 379-393.
+/// Departs from it: there the factor is 1 / 1.8, for corrections that are the same in a whole
+///   coarse cell.
 void coarsen_cx_row(const float* upper, const float* lower, int n, float* out);
 void coarsen_cy_row(const float* lower, int n, float* out);
 
