@@ -71,11 +71,11 @@ void for_batches(const SleepTiles& tiles, Axis axis, const Threads& threads, con
 }
 
 /// The same for batches that move along y row by row. Such a batch is strips side by side that
-/// begin and end in the same rows, up to 256 columns together, so that its window of rows fits into
+/// begin and end in the same rows, up to 128 columns together, so that its window of rows fits into
 /// the cache of a core.
 template <typename Body>
 void for_wide_batches(const SleepTiles& tiles, const Threads& threads, const Body& body) {
-  constexpr int kWidth = 256;
+  constexpr int kWidth = 128;
   std::vector<CellBox> wide;
   for (const CellBox& strip : tiles.strips()) {
     const auto same = std::find_if(wide.begin(), wide.end(), [&](const CellBox& b) {
