@@ -58,7 +58,8 @@ TEST(Multigrid, FiveCyclesLeaveLittleOfTheResidual) {
   }
 }
 
-/// Couplings that are everywhere `coupling`, on 64 x 64 nodes, and a right side of 1 and -1 in turn.
+/// Couplings that are everywhere `coupling`, on 64 x 64 nodes, and a right side of 1 and -1 in
+/// turn.
 Rough checkerboard(float coupling) {
   Rough even(64, 64, 0);
   for (int y = 0; y < 64; ++y)
@@ -71,9 +72,9 @@ Rough checkerboard(float coupling) {
 }
 
 TEST(Multigrid, ACycleLeavesAFortiethOfTheShortestWave) {
-  // No coarser grid sees it, so the four sweeps do it all: 1 / T4(5/3) = 1 / 40.5 is left at the end
-  // of the spectrum, by the definition of Chebyshev's polynomial. 2e-4: the spectrum ends at 2 less
-  // 1 / 4000, and there T4 falls by 16 / 0.75 for each unit, which makes 1.3e-4.
+  // No coarser grid sees it, so the four sweeps do it all: 1 / T4(5/3) = 1 / 40.5 is left at the
+  // end of the spectrum, by the definition of Chebyshev's polynomial. 2e-4: the spectrum ends at 2
+  // less 1 / 4000, and there T4 falls by 16 / 0.75 for each unit, which makes 1.3e-4.
   Rough even = checkerboard(1000);
   even.solver.solve(1, 3, Threads(), {});
   const float exact = 1.0f / 8001;
