@@ -68,7 +68,8 @@ void restrict_row(const float* __restrict upper, const float* __restrict lower, 
 
 namespace {
 
-// The mean of two couplings, a quarter of it, for cells twice as wide, and less by a tenth.
+// The mean of two couplings, a quarter of it, for cells twice as wide, and less by a tenth, which
+// halves what cycles leave where couplings are strong (multigrid_test.cpp: 5.6e-4 for 1.1e-3).
 constexpr float kOfTwo = 0.5f * 0.25f * 0.9f;
 
 }  // namespace

@@ -42,9 +42,10 @@ class RunIndex {
 };
 
 /// Calls pass(stage, run) for every run and the stages 0 .. stages-1, each run and stage once.
-/// When stage s > 0 of a row is called, stage s-1 is done on that row and on both neighbour rows,
-/// and stage s+1 is done on none of them. So two planes, written in turn, hold all that is needed.
-/// Stage 0 may depend on no other row.
+/// When stage s > 0 of a row is called, stage s-1 is done on that row and on both neighbour rows.
+/// When any stage s is called, stage s+1 is done on none of them. So two planes, written in turn,
+/// hold all that is needed. Stage 0 may read neighbour rows of no plane that it writes; of planes
+/// that later stages overwrite it finds them as they were.
 /// Scheme: bands of rows, a few for each thread, with as many cells each. In each band the stages
 ///   follow one another down the rows, each one row behind the stage before, so that they share few
 ///   rows. A band shrinks by a row with each stage. Then the gaps between the bands are filled,

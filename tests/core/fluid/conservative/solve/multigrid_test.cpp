@@ -58,15 +58,15 @@ TEST(Multigrid, FiveCyclesLeaveLittleOfTheResidual) {
   }
 }
 
-/// Couplings that are everywhere `coupling`, on 64 x 64 nodes, and a right side of 1 and -1 in
-/// turn.
-Rough checkerboard(float coupling) {
+/// Couplings that are everywhere `coupling`, on 64 x 64 nodes, and the right side `rhs(x, y)`.
+template <typename Rhs>
+Rough even_system(float coupling, const Rhs& rhs) {
   Rough even(64, 64, 0);
   for (int y = 0; y < 64; ++y)
     for (int x = 0; x < 64; ++x) {
       even.solver.cx().row(y)[x] = x < 63 ? coupling : 0.0f;
       even.solver.cy().row(y)[x] = y < 63 ? coupling : 0.0f;
-      even.solver.rhs().row(y)[x] = (x + y) % 2 == 0 ? 1.0f : -1.0f;
+      even.solver.rhs().row(y)[x] = rhs(x, y);
     }
   return even;
 }
@@ -75,7 +75,7 @@ TEST(Multigrid, ACycleLeavesAFortiethOfTheShortestWave) {
   // No coarser grid sees it, so the four sweeps do it all: 1 / T4(5/3) = 1 / 40.5 is left at the
   // end of the spectrum, by the definition of Chebyshev's polynomial. 2e-4: the spectrum ends at 2
   // less 1 / 4000, and there T4 falls by 16 / 0.75 for each unit, which makes 1.3e-4.
-  Rough even = checkerboard(1000);
+  Rough even = even_system(1000, [](int x, int y) { return (x + y) % 2 == 0 ? 1.0f : -1.0f; });
   even.solver.solve(1, 3, Threads(), {});
   const float exact = 1.0f / 8001;
   EXPECT_NEAR(even.solver.solution().row(32)[32] / exact, 1 - 1 / 40.5f, 2e-4f);
@@ -84,9 +84,7 @@ TEST(Multigrid, ACycleLeavesAFortiethOfTheShortestWave) {
 TEST(Multigrid, ACycleOfWeakCouplingsHasAllItsSweeps) {
   // At 0.25 the scaled operator's spectrum ends at 1/2 and 3/2, where a fortieth is left at most;
   // two sweeps would leave a third of the longest waves.
-  Rough even = checkerboard(0.25f);
-  for (int y = 0; y < 64; ++y)
-    for (int x = 0; x < 64; ++x) even.solver.rhs().row(y)[x] = 1 + 0.1f * static_cast<float>(x);
+  Rough even = even_system(0.25f, [](int x, int) { return 1 + 0.1f * static_cast<float>(x); });
   const double before = even.residual();
   even.solver.solve(1, even.solver.levels_for(0.25f), Threads(), {});
   EXPECT_LT(even.residual(), before / 40);
