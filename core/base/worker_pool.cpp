@@ -13,7 +13,7 @@ namespace pentimento {
 
 namespace {
 // Ranges for each thread: enough that one that is held up does not hold up the loop.
-constexpr std::int64_t kPiecesPerThread = 8;
+constexpr std::int64_t kRangesPerThread = 8;
 // How often a worker offers its core before it sleeps, for some 0.3 ms: loops of a step follow one
 // another within tens of microseconds, steps of small paintings within hundreds, and to be woken
 // takes some ten.
@@ -28,13 +28,31 @@ constexpr int kMostWorkers = 0xfff;
 std::uint32_t loop_of(std::uint32_t state) {
   return state & ~(kInside | kOpen);
 }
+
+// What is left of a share: the ranges [from, to), `to` in the upper half.
+constexpr std::uint64_t kTo = std::uint64_t{1} << 32;
+constexpr std::uint64_t kFrom = kTo - 1;
+constexpr std::int64_t kNone = -1;
+
+/// Takes a range from the front of what is left, or from the back. kNone if none is left.
+std::int64_t take(std::atomic<std::uint64_t>& left, bool from_front) {
+  std::uint64_t now = left.load(std::memory_order_relaxed);
+  while ((now & kFrom) < now / kTo) {
+    if (!left.compare_exchange_weak(now, from_front ? now + 1 : now - kTo,
+                                    std::memory_order_relaxed))
+      continue;
+    return static_cast<std::int64_t>(from_front ? now & kFrom : now / kTo - 1);
+  }
+  return kNone;
+}
 }  // namespace
 
-WorkerPool::WorkerPool(int wanted) : process_(::getpid()) {
-  const int count = std::clamp(wanted, 0, kMostWorkers);
-  threads_.reserve(static_cast<std::size_t>(count));
-  for (int i = 0; i < count; ++i) {
-    const auto thread = start_plain_thread([this] { work(); });
+WorkerPool::WorkerPool(int wanted)
+    : process_(::getpid()),
+      shares_(static_cast<std::size_t>(std::clamp(wanted, 0, kMostWorkers)) + 1) {
+  threads_.reserve(shares_.size());
+  for (std::size_t i = 1; i < shares_.size(); ++i) {
+    const auto thread = start_plain_thread([this, i] { work(i); });
     if (!thread) break;
     threads_.push_back(*thread);
   }
@@ -47,13 +65,13 @@ WorkerPool::~WorkerPool() {
   for (const pthread_t thread : threads_) pthread_join(thread, nullptr);
 }
 
-void WorkerPool::work() {
+void WorkerPool::work(std::size_t thread) {
   std::uint32_t seen = 0;
   int yields = 0;
   for (;;) {
     if (ending_.load(std::memory_order_acquire)) return;
     if (enter(seen)) {
-      take_ranges(next_.fetch_add(loop_.piece, std::memory_order_relaxed));
+      do_ranges(thread);
       leave();
       yields = 0;
     } else if (do_piece()) {
@@ -87,14 +105,36 @@ void WorkerPool::leave() {
   left_.notify_one();
 }
 
-void WorkerPool::take_ranges(std::int64_t from) noexcept {
+/// Gives each thread as many of the ranges, side by side; the first is the caller's alone. No
+/// worker may be inside.
+void WorkerPool::share_out(std::int64_t ranges) {
+  const auto threads = static_cast<std::int64_t>(threads_.size()) + 1;
+  std::int64_t from = 1;
+  for (std::int64_t i = 0; i < threads; ++i) {
+    const std::int64_t to = (ranges * (i + 1) + threads - 1) / threads;
+    shares_[static_cast<std::size_t>(i)].left.store(
+        static_cast<std::uint64_t>(to) * kTo + static_cast<std::uint64_t>(from),
+        std::memory_order_relaxed);
+    from = std::max(from, to);
+  }
+}
+
+void WorkerPool::do_range(std::int64_t range) const {
+  const std::int64_t from = loop_.begin + range * loop_.length;
+  (*loop_.body)(static_cast<int>(from), static_cast<int>(std::min(loop_.end, from + loop_.length)));
+}
+
+/// Does the share of this thread, then what the others have not come to, from its end.
+void WorkerPool::do_ranges(std::size_t thread) noexcept {
   try {
-    for (; from < loop_.end; from = next_.fetch_add(loop_.piece, std::memory_order_relaxed)) {
-      (*loop_.body)(static_cast<int>(from),
-                    static_cast<int>(std::min(loop_.end, from + loop_.piece)));
+    if (thread == 0) do_range(0);
+    for (std::size_t k = 0; k < shares_.size(); ++k) {
+      std::atomic<std::uint64_t>& left = shares_[(thread + k) % shares_.size()].left;
+      for (std::int64_t range = take(left, k == 0); range != kNone; range = take(left, k == 0))
+        do_range(range);
     }
   } catch (...) {
-    next_.store(loop_.end, std::memory_order_relaxed);
+    for (Share& share : shares_) share.left.store(0, std::memory_order_relaxed);
     if (!thrown_.exchange(true)) problem_ = std::current_exception();
   }
 }
@@ -153,12 +193,13 @@ void WorkerPool::close_loop() {
 void WorkerPool::share(int begin, int end, int grain_size,
                        const std::function<void(int, int)>& body) {
   if (threads_.empty() || ::getpid() != process_ || busy_.exchange(true)) return body(begin, end);
-  const std::int64_t length = std::int64_t{end} - begin;
-  const std::int64_t pieces = kPiecesPerThread * (workers() + 1);
-  loop_ = {&body, end, std::max<std::int64_t>(grain_size, (length + pieces - 1) / pieces)};
-  next_.store(begin + loop_.piece, std::memory_order_relaxed);
+  const std::int64_t all = std::int64_t{end} - begin;
+  const std::int64_t most = kRangesPerThread * (workers() + 1);
+  const std::int64_t length = std::max<std::int64_t>(grain_size, (all + most - 1) / most);
+  loop_ = {&body, begin, end, length};
+  share_out((all + length - 1) / length);
   open_loop();
-  take_ranges(begin);
+  do_ranges(0);
   close_loop();
   busy_.store(false);
   if (thrown_.exchange(false)) std::rethrow_exception(std::exchange(problem_, nullptr));

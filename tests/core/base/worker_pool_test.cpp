@@ -53,6 +53,22 @@ TEST(WorkerPool, TheFirstRangeIsTheCallers) {
   }
 }
 
+TEST(WorkerPool, AThreadDoesItsHalf_ThenWhatIsLeftOfTheOthersFromItsEnd) {
+  WorkerPool pool(1);
+  if (pool.workers() == 0) GTEST_SKIP() << "the machine gives no thread";
+  for (int round = 0; round < 50; ++round) {
+    std::vector<int> workers;
+    std::atomic<int> done{0};
+    pool.share(0, 16, 1, [&](int from, int) {
+      if (from != 0) workers.push_back(from);  // the caller is held up in its first
+      if (from == 0)
+        while (done.load() < 15) std::this_thread::yield();
+      ++done;
+    });
+    ASSERT_EQ(workers, (std::vector<int>{8, 9, 10, 11, 12, 13, 14, 15, 7, 6, 5, 4, 3, 2, 1}));
+  }
+}
+
 TEST(WorkerPool, WhatIsThrownReachesTheCaller_AndTheNextLoopRuns) {
   WorkerPool pool(3);
   for (int round = 0; round < 200; ++round) {
