@@ -21,7 +21,7 @@ struct Lock::Job {
 };
 
 namespace {
-constexpr int kSmoothings = 3;
+constexpr std::size_t kSharpenings = 2;
 constexpr int kStripsPerTask = 8;    // whose layers are looked at
 constexpr int kCellsPerTask = 4096;  // some microseconds, as in for_runs
 
@@ -57,20 +57,20 @@ void Lock::lock(DetailCanvas& canvas, const CanvasState& guide,
   // What each block holds, and by which ratio it is off.
   for_parts(job, 0, groups, [&](std::size_t g, std::size_t s) {
     measure(job, g, s);
-    find_ratios(job, g, s, 0);
+    find_ratios(job, g, s);
   });
-  // Smooth passes: the ratios are spread as a smooth field, so that no block shows its border. Each
-  // pass finds the ratios that are left.
-  for (int pass = 1; pass <= kSmoothings && find_off_groups(); ++pass) {
+  // The smooth field: what a block would hold under it is brought nearer to what it shall hold.
+  const bool any_off = find_off_groups();
+  for (std::size_t round = 0; round < kSharpenings && any_off; ++round)
     for_parts(job, 0, groups, [&](std::size_t g, std::size_t s) {
-      if (group_is_off_[g] == 0) return;
-      for (std::size_t p = groups_[g].begin; p < groups_[g].end; ++p)
-        if (holds_[p * strips_.size() + s] != 0) smooth(job, p, strips_[s], pass);
-      if (pass < kSmoothings) find_ratios(job, g, s, pass);
+      if (group_is_off_[g] != 0) sharpen(job, g, s, round);
     });
-  }
-  // The exact pass: what is still off is scaled block by block.
-  for_parts(job, 0, groups, [&](std::size_t g, std::size_t s) { make_exact(job, g, s); });
+  // The fine cells are multiplied by the field, so that no block shows its border; then, while they
+  // are in the cache, what is still off is scaled block by block.
+  for_parts(job, 0, groups, [&](std::size_t g, std::size_t s) {
+    if (group_is_off_[g] != 0) smooth(job, g, s);
+    make_exact(job, g, s);
+  });
   // Blocks with next to nothing to scale are filled: pigment by the depth that is there then.
   fill_uncovered_blocks(job, 0, 1);
   fill_uncovered_blocks(job, 1, groups);
@@ -178,17 +178,20 @@ bool Lock::find_off_groups() {
                      [](std::uint8_t off) { return off != 0; });
 }
 
-/// Multiplies the fine cells of a strip by the ratios of the pass before, as a smooth field. Keeps
-/// `held_` up to date.
-void Lock::smooth(const Job& job, std::size_t plane, const Strip& strip, int pass) {
+/// Multiplies the fine cells of a strip by the smooth field. Keeps `held_` up to date.
+void Lock::smooth(const Job& job, std::size_t g, std::size_t s) {
+  const Strip& strip = strips_[s];
   RatiosAround ratio;
-  ratio_[at(pass + 1) % 2].read(plane, strip.at, ratio);
-  const BlockStrip part = off_part(ratio, strip.at);
-  if (part.blocks() <= 0) return;
-  const int first = part.x0 - strip.at.x0;
-  scale_by_field(ratio.from(first),
-                 block_row(planes_[plane].of(*strip.tile).data(), job.canvas.layout(), part),
-                 held_of(plane, strip).subspan(at(first), at(part.blocks())));
+  for (std::size_t p = groups_[g].begin; p < groups_[g].end; ++p) {
+    if (holds_[p * strips_.size() + s] == 0) continue;
+    ratio_[kSharpenings % 2].read(p, strip.at, ratio);
+    const BlockStrip part = off_part(ratio, strip.at);
+    if (part.blocks() <= 0) continue;
+    const int first = part.x0 - strip.at.x0;
+    scale_by_field(ratio.from(first),
+                   block_row(planes_[p].of(*strip.tile).data(), job.canvas.layout(), part),
+                   held_of(p, strip).subspan(at(first), at(part.blocks())));
+  }
 }
 
 /// What the guide wants in the blocks of a strip and what they hold: of one plane, or in a
@@ -212,19 +215,38 @@ BlockTargets Lock::targets_of(const Job& job, const Group& group, std::size_t pl
   return {sums.wanted.data(), sums.held.data()};
 }
 
-void Lock::find_ratios(const Job& job, std::size_t g, std::size_t s, int pass) {
+/// By which ratio each block is off, and whether any of a strip is.
+void Lock::find_ratios(const Job& job, std::size_t g, std::size_t s) {
   const Strip& strip = strips_[s];
   const int n = strip.at.blocks();
   const std::size_t here = g * strips_.size() + s;
   TargetSums sums;
-  off_[here] = 0;
   for (std::size_t p = groups_[g].begin; p < groups_[g].end; ++p) {
     // Otherwise the ratios are 1, and stay so.
     if (!any(wants_, groups_[g], p, s) || !any(holds_, groups_[g], p, s)) continue;
     const BlockTargets to = targets_of(job, groups_[g], p, strip, sums);
-    if (pass == 0) count_ratios(to, n, counted_[here].blocks);
-    float* ratio = ratio_[at(pass) % 2].of(p, strip.first, at(n)).data();
-    if (ratio_row(to, n, ratio)) off_[here] = 1;
+    count_ratios(to, n, counted_[here].blocks);
+    if (ratio_row(to, n, ratio_[0].of(p, strip.first, at(n)).data())) off_[here] = 1;
+  }
+}
+
+/// Sharpens the field in a strip. Reads one table of ratios and writes the other.
+void Lock::sharpen(const Job& job, std::size_t g, std::size_t s, std::size_t round) {
+  const Strip& strip = strips_[s];
+  const int n = strip.at.blocks();
+  const float own = share_of_own_centre(job.canvas.layout().factor());
+  TargetSums sums;
+  RatiosAround field;
+  for (std::size_t p = groups_[g].begin; p < groups_[g].end; ++p) {
+    if (!any(wants_, groups_[g], p, s) || !any(holds_, groups_[g], p, s)) continue;
+    ratio_[round % 2].read(p, strip.at, field);
+    float* out = ratio_[(round + 1) % 2].of(p, strip.first, at(n)).data();
+    if (off_part(field, strip.at).blocks() <= 0) {
+      std::fill_n(out, n, 1.0f);
+    } else {
+      const BlockTargets to = targets_of(job, groups_[g], p, strip, sums);
+      sharpen_row(to, field.from(0), own, n, out);
+    }
   }
 }
 

@@ -31,13 +31,16 @@ class Lock {
 
   /// Locks the blocks of `strips` (ChangedBlocks::strips()) to the guide; all others are locked
   /// already.
-  ///   3 times: r = guide / block mean, 1 where either is 0 or r beyond [1/2, 2];
-  ///            value *= bilinear r
+  ///   r = guide / block mean, 1 where either is 0 or r beyond [1/2, 2]
+  ///   2 times: r *= guide / (block mean * mean of bilinear r over the block)
+  ///   value *= bilinear r
   ///   then value *= guide / block mean, whatever that is; blocks that owe more than 16 times what
   ///   they hold are filled (uncovered_blocks.h)
   /// This is done for each layer of a pigment. In mismatched blocks (open_cells.h) it is done for
   /// the sum over the layers, with one ratio for all.
-  /// Scheme: multiplicative, so nothing becomes negative and bare cells stay bare.
+  /// Scheme: multiplicative, so nothing becomes negative and bare cells stay bare. The smooth field
+  ///   is found for cells that are alike in their block, so that fine cells are read once and
+  ///   written once (ADR 36).
   /// Stable: the last ratio is exact; the first are bounded.
   /// Source: docs/fidelity.md. Departs from it: blocks outside the list count as ratio 1, so list
   /// the neighbours of what changed.
@@ -79,10 +82,11 @@ class Lock {
   bool any(const std::vector<std::uint8_t>& flags, const Group& group, std::size_t plane,
            std::size_t s) const;
   bool find_off_groups();
-  void smooth(const Job& job, std::size_t plane, const Strip& strip, int pass);
+  void smooth(const Job& job, std::size_t g, std::size_t s);
   BlockTargets targets_of(const Job& job, const Group& group, std::size_t plane, const Strip& strip,
                           TargetSums& sums) const;
-  void find_ratios(const Job& job, std::size_t g, std::size_t s, int pass);
+  void find_ratios(const Job& job, std::size_t g, std::size_t s);
+  void sharpen(const Job& job, std::size_t g, std::size_t s, std::size_t round);
   void make_exact(const Job& job, std::size_t g, std::size_t s);
   void fill_uncovered_blocks(const Job& job, std::size_t first_group, std::size_t end_group);
 
@@ -90,7 +94,7 @@ class Lock {
   std::vector<WetPlane> planes_;
   std::vector<Group> groups_;  // the depth first
   std::size_t blocks_ = 0;
-  std::array<BlockRatios, 2> ratio_;  // smooth passes read one and write the other in turn
+  std::array<BlockRatios, 2> ratio_;  // of the field; sharpening reads one and writes the other
   std::vector<float> held_;           // mean of each block, plane after plane
   std::vector<std::uint8_t> split_;   // per block: 1 if mismatched
   // Plane after plane, per strip: whether the guide wants anything there, and whether the blocks

@@ -40,6 +40,34 @@ bool ratio_row(const BlockTargets& to, int n, float* __restrict ratio) {
   return any != 0;
 }
 
+float share_of_own_centre(int factor) {
+  // Cells lie (i + 1/2) / factor - 1/2 off the centre. The mean of that, unsigned, is what
+  // neighbours get.
+  const auto k = static_cast<float>(factor);
+  const float neighbours = factor % 2 == 0 ? 0.25f : 0.25f * (1 - 1 / (k * k));
+  return 1 - neighbours;
+}
+
+PENTIMENTO_KERNEL
+void sharpen_row(const BlockTargets& to, const RatioRows& field, float own, int n,
+                 float* __restrict out) {
+  const float *wanted = to.wanted, *held = to.held;
+  const float *above = field.above, *here = field.here, *below = field.below;
+  const float beside = 0.5f * (1 - own);
+  PENTIMENTO_INDEPENDENT
+  for (int i = 0; i < n; ++i) {
+    const float over = own * above[i] + beside * (above[i - 1] + above[i + 1]);
+    const float level = own * here[i] + beside * (here[i - 1] + here[i + 1]);
+    const float under = own * below[i] + beside * (below[i - 1] + below[i + 1]);
+    const float mean = own * level + beside * (over + under);
+    const bool both = wanted[i] > 0 && held[i] > 0;
+    const float left = wanted[i] / (both ? held[i] * mean : 1.0f);
+    const bool far = left < 1 / kMostSmoothed || left > kMostSmoothed;
+    const bool close = left > 1 - kClose && left < 1 + kClose;
+    out[i] = here[i] * (both && !far && !close ? left : 1.0f);
+  }
+}
+
 void count_ratios(const BlockTargets& to, int n, RatioCounts& counts) {
   constexpr float kBelowAll = -1;
   int more = count_off(to.wanted, to.held, kBelowAll, n);

@@ -5,6 +5,8 @@
 #include <array>
 #include <cstdint>
 
+#include "core/detail/store/block_rows.h"
+
 namespace pentimento {
 
 /// What each block shall hold on average and what it holds, >= 0.
@@ -21,6 +23,16 @@ using RatioCounts = std::array<std::int64_t, kRatioBounds.size() + 1>;
 /// The ratio that a block is smoothed by: wanted / held. It is 1 where either is 0, within 1e-6 of
 /// 1, and beyond [1/2, 2], where it would pull the neighbours along. False if all `n` are 1.
 bool ratio_row(const BlockTargets& to, int n, float* ratio);
+
+/// The mean weight that a bilinear field gives a block's own centre along one axis, over the
+/// `factor` cells of the block. The rest is that of its two neighbours' centres.
+float share_of_own_centre(int factor);
+
+/// A field of ratios, given at the blocks' centres, comes nearer to what the blocks need:
+///   out = field * wanted / (held * mean), `mean` of the bilinear field over the block
+/// It stays as it is where wanted or held is 0, where that factor is within 1e-6 of 1, and where it
+/// lies beyond [1/2, 2]. `own`: share_of_own_centre().
+void sharpen_row(const BlockTargets& to, const RatioRows& field, float own, int n, float* out);
 
 /// Counts by how much the blocks are off of which neither is 0.
 void count_ratios(const BlockTargets& to, int n, RatioCounts& counts);

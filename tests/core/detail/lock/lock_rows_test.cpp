@@ -49,6 +49,49 @@ TEST(LockRows, RatiosOfBlocksInOrderAreOne) {
   EXPECT_EQ(ratio, std::vector<float>(40, 1.0f));
 }
 
+/// The mean of a bilinear field over a block: what scale_by_field() makes of cells of 1.
+double mean_under(const RatiosAround& field, int factor, int block) {
+  std::vector<float> ones(static_cast<std::size_t>(factor * factor), 1.0f), mean(1);
+  scale_by_field(field.from(block), {ones.data(), factor, factor, 1}, mean);
+  return static_cast<double>(mean[0]);
+}
+
+TEST(LockRows, AFieldIsSharpenedByWhatItLeavesOfBlocksThatAreEven) {
+  const Blocks b = all_kinds();
+  RatiosAround field;
+  for (int row = 0; row < 3; ++row)
+    for (int i = -1; i <= b.count(); ++i)
+      field.at(row, i) = 1 + 0.05f * static_cast<float>((7 * i + 5 * row + 7) % 6);
+  std::vector<float> out(b.wanted.size());
+  int changed = 0;
+  for (const int k : {1, 2, 3, 8, 15, 32}) {
+    sharpen_row(b.targets(), field.from(0), share_of_own_centre(k), b.count(), out.data());
+    for (int i = 0; i < b.count(); ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      const double wanted = static_cast<double>(b.wanted[at]);
+      const double held = static_cast<double>(b.held[at]),
+                   before = static_cast<double>(field.at(1, i));
+      double left = 1;
+      if (wanted > 0 && held > 0) left = wanted / (held * mean_under(field, k, i));
+      if (left < 0.5 || left > 2) left = 1;
+      // A handful of roundings of floats next to 1.
+      EXPECT_NEAR(static_cast<double>(out[at]), before * left, 2e-6) << "k " << k << " block " << i;
+      changed += left != 1 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(changed, 60);
+}
+
+TEST(LockRows, AFieldThatIsWhatBlocksNeedStaysAsItIs) {
+  RatiosAround field;
+  for (int row = 0; row < 3; ++row)
+    for (int i = -1; i <= 40; ++i) field.at(row, i) = 1.25f;
+  const std::vector<float> wanted(40, 0.125f * (1 + 6e-7f)), held(40, 0.1f);
+  std::vector<float> out(40);
+  sharpen_row({wanted.data(), held.data()}, field.from(0), share_of_own_centre(8), 40, out.data());
+  EXPECT_EQ(out, std::vector<float>(40, 1.25f));
+}
+
 TEST(LockRows, EachBlockIsCountedInItsBin) {
   const Blocks b = all_kinds();
   RatioCounts plain{}, counts{};
