@@ -134,7 +134,7 @@ void WorkerPool::do_ranges(std::size_t thread) noexcept {
         do_range(range);
     }
   } catch (...) {
-    for (Share& share : shares_) share.left.store(0, std::memory_order_relaxed);
+    for (ThreadShare& share : shares_) share.left.store(0, std::memory_order_relaxed);
     if (!thrown_.exchange(true)) problem_ = std::current_exception();
   }
 }

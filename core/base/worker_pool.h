@@ -56,7 +56,7 @@ class WorkerPool {
     std::int64_t length = 1;  // of a range
   };
   /// Which ranges of the loop are left of a thread's share. In a cache line of its own.
-  struct alignas(64) Share {
+  struct alignas(64) ThreadShare {
     std::atomic<std::uint64_t> left{0};  // see worker_pool.cpp
   };
 
@@ -67,7 +67,7 @@ class WorkerPool {
   std::atomic<std::uint32_t> left_{0};   // how often the last worker has left a closed loop
   std::atomic<bool> ending_{false};
   Loop loop_;
-  std::vector<Share> shares_;  // the caller's, and one for each worker
+  std::vector<ThreadShare> shares_;  // the caller's, and one for each worker
   std::atomic<bool> thrown_{false};
   std::exception_ptr problem_;
   std::atomic<const std::function<bool()>*> piece_{nullptr};  // what is offered
