@@ -21,9 +21,9 @@ struct Lock::Job {
 };
 
 namespace {
-constexpr std::size_t kSharpenings = 2;
-constexpr int kStripsPerTask = 8;    // whose layers are looked at
-constexpr int kCellsPerTask = 4096;  // some microseconds, as in for_runs
+constexpr std::size_t kSharpenings = 2;  // a third would add to what goes up and down inside blocks
+constexpr int kStripsPerTask = 8;        // whose layers are looked at
+constexpr int kCellsPerTask = 4096;      // some microseconds, as in for_runs
 
 /// The part of a strip that a ratio other than 1 reaches.
 BlockStrip off_part(const RatiosAround& ratio, BlockStrip strip) {

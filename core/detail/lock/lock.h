@@ -39,7 +39,7 @@ class Lock {
   /// This is done for each layer of a pigment. In mismatched blocks (open_cells.h) it is done for
   /// the sum over the layers, with one ratio for all.
   /// Scheme: multiplicative, so nothing becomes negative and bare cells stay bare. The smooth field
-  ///   is found for cells that are alike in their block, so that fine cells are read once and
+  ///   is found as if the cells of a block were alike, so that fine cells are read twice and
   ///   written once (ADR 36).
   /// Stable: the last ratio is exact; the first are bounded.
   /// Source: docs/fidelity.md. Departs from it: blocks outside the list count as ratio 1, so list
