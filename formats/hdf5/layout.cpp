@@ -66,6 +66,18 @@ void copy_reflectance(const CanvasSource& canvas, int x, int y, std::span<std::u
   }
 }
 
+/// Calls store(x, values) for the parts of a row that are not all `zero`, a page's worth each: a
+/// plane of zeros to which no zeros are written takes no memory there.
+template <typename Store>
+void for_parts_unlike(std::uint32_t zero, std::span<const std::uint32_t> row, const Store& store) {
+  constexpr std::size_t kPartValues = 1024;
+  for (std::size_t x = 0; x < row.size(); x += kPartValues) {
+    const auto part = row.subspan(x, std::min(kPartValues, row.size() - x));
+    if (std::any_of(part.begin(), part.end(), [=](std::uint32_t bits) { return bits != zero; }))
+      store(x, part);
+  }
+}
+
 }  // namespace
 
 CanvasShape shape_of(const CanvasSource& canvas) {
@@ -126,38 +138,41 @@ std::string value_problem(const CanvasDataset& dataset, std::span<const std::uin
   return fmt::format("has the value {}, outside {}..{}", value, dataset.least, dataset.most);
 }
 
-void store_row(CanvasState& state, const CanvasDataset& dataset, std::int64_t row,
+void store_row(CanvasState& fresh, const CanvasDataset& dataset, std::int64_t row,
                std::span<const std::uint32_t> in) {
-  const int ny = state.geometry.height;
+  const int ny = fresh.geometry.height;
   const int y = static_cast<int>(row % ny);
   const DatasetKind kind = kind_of(dataset);
   PENTIMENTO_CHECK(!dataset.is_derived);
   if (dataset.is_integer) {
-    std::memcpy(state.stroke.row(y), in.data(), in.size() * sizeof(std::uint32_t));
-    return;
+    return for_parts_unlike(0, in, [&](std::size_t x, std::span<const std::uint32_t> part) {
+      std::memcpy(fresh.stroke.row(y) + x, part.data(), part.size_bytes());
+    });
   }
   if (kind == DatasetKind::kReflectance) {
-    const auto bands = static_cast<std::size_t>(state.bands);
+    const auto bands = static_cast<std::size_t>(fresh.bands);
     std::vector<float> values(in.size() / bands);
     for (std::size_t band = 0; band < bands; ++band) {
       for (std::size_t x = 0; x < values.size(); ++x)
         values[x] = std::bit_cast<float>(in[x * bands + band]);
       // A dump does not say what the ground was. A corner is rarely painted.
-      if (y == 0) state.reflectance[band].fill(values[0]);
-      state.reflectance[band].write(0, y, values);
+      if (y == 0) fresh.reflectance[band].fill(values[0]);
+      fresh.reflectance[band].write(0, y, values);
     }
     return;
   }
   if (dataset.name == std::string_view("/canvas/paper")) {
     std::vector<float> paper_m(in.size());
     std::memcpy(paper_m.data(), in.data(), in.size() * sizeof(float));
-    return write_paper(state, 0, y, paper_m);
+    return write_paper(fresh, 0, y, paper_m);
   }
   Field<float>& plane = kind == DatasetKind::kPigment
-                            ? state.pigment[static_cast<std::size_t>(row / ny)]
-                            : pentimento::plane_of(state, plane_of(dataset));
+                            ? fresh.pigment[static_cast<std::size_t>(row / ny)]
+                            : pentimento::plane_of(fresh, plane_of(dataset));
   const std::uint32_t flip = points_down(dataset) ? kSign : 0;
-  for (std::size_t x = 0; x < in.size(); ++x) plane.row(y)[x] = std::bit_cast<float>(in[x] ^ flip);
+  for_parts_unlike(flip, in, [&](std::size_t x, std::span<const std::uint32_t> part) {
+    for (const std::uint32_t bits : part) plane.row(y)[x++] = std::bit_cast<float>(bits ^ flip);
+  });
 }
 
 }  // namespace pentimento::hdf5

@@ -66,8 +66,9 @@ void copy_cells(const CanvasSource& canvas, const CanvasDataset& dataset, std::i
 /// if nothing.
 std::string value_problem(const CanvasDataset& dataset, std::span<const std::uint32_t> values);
 
-/// Copies a whole row from the dump's form into the state. Not for derived datasets.
-void store_row(CanvasState& state, const CanvasDataset& dataset, std::int64_t row,
+/// Copies a whole row from the dump's form into a state whose planes of paint are zeros so far. Not
+/// for derived datasets.
+void store_row(CanvasState& fresh, const CanvasDataset& dataset, std::int64_t row,
                std::span<const std::uint32_t> in);
 
 }  // namespace pentimento::hdf5

@@ -42,9 +42,10 @@ Lighting first_lighting(LogSession& session) {
 class Replay {
  public:
   /// `film` nullptr: the job makes none.
-  Replay(const RenderJob& job, LogSession& session, const FilmPlan* film, const Control& control,
-         Stopwatch& watch)
+  Replay(const RenderJob& job, const JobNeeds& needs, LogSession& session, const FilmPlan* film,
+         const Control& control, Stopwatch& watch)
       : job_(job),
+        needs_(needs),
         session_(session),
         film_(film),
         control_(control),
@@ -77,6 +78,7 @@ class Replay {
   void conclude();
 
   const RenderJob& job_;
+  const JobNeeds& needs_;
   LogSession& session_;
   const FilmPlan* film_;
   const Control& control_;
@@ -174,7 +176,7 @@ Result<void> Replay::begin() {
   if (session_.detail > 1) {
     // The detail canvas, which follows the guide.
     ReplayDetailSetup setup{session_.detail, job_.scratch, 0, {}};
-    if (!job_.scratch.empty()) setup.resident_bytes = resident_budget(job_, session_);
+    if (!job_.scratch.empty()) setup.resident_bytes = needs_.resident_bytes;
     setup.start = std::exchange(session_.detail_start, {});
     if (checkpoint_ && checkpoint_->has_slots()) setup.start.reset();
     Result<std::unique_ptr<ReplayDetail>> fine = ReplayDetail::follow(
@@ -402,7 +404,7 @@ Result<JobReport> render(const RenderJob& job, const Control& control) {
   Result<PaintSurvey> survey = fitting_survey(job, *session, control);
   if (!survey) return survey.error();
   const JobNeeds needs = job_needs(job, *session, *survey);
-  if (Result<void> fits = check_disk(disk_uses(job, *session, needs)); !fits) return fits.error();
+  if (Result<void> fits = check_disk(disk_uses(job, needs)); !fits) return fits.error();
   // The frames of a film are stops of the replay.
   std::optional<FilmPlan> film;
   if (makes_film(job)) {
@@ -412,7 +414,7 @@ Result<JobReport> render(const RenderJob& job, const Control& control) {
     film = std::move(*plan);
     session->plan.stops = film->steps;
   }
-  Replay replay(job, *session, film ? &*film : nullptr, control, watch);
+  Replay replay(job, needs, *session, film ? &*film : nullptr, control, watch);
   return replay.run();
 }
 

@@ -35,8 +35,7 @@ std::int64_t free_bytes(const std::string& folder) {
 }
 
 /// How much of it lies in which folder is not known where there are several; those are not judged.
-std::vector<DiskUse> disk_uses(const RenderJob& job, const LogSession& session,
-                               const JobNeeds& needs) {
+std::vector<DiskUse> disk_uses(const RenderJob& job, const JobNeeds& needs) {
   std::set<std::string> folders;
   for (const std::string& output : job.picture.outputs)
     if (is_file(output)) folders.insert(folder_of(output));
@@ -46,7 +45,7 @@ std::vector<DiskUse> disk_uses(const RenderJob& job, const LogSession& session,
   }
   if (!job.scratch.empty()) {
     // What memory holds is not written.
-    const double held = static_cast<double>(resident_budget(job, session));
+    const double held = static_cast<double>(needs.resident_bytes);
     const double foreseen = kLeastScratch * static_cast<double>(needs.scratch_bytes);
     uses.push_back({job.scratch, std::max(0.0, foreseen - held)});
   }

@@ -18,8 +18,7 @@ struct DiskUse {
 
 /// The folders of the job's pictures and of --scratch. Dumps do not count: what is bare of paint
 /// takes no room in them.
-std::vector<DiskUse> disk_uses(const RenderJob& job, const LogSession& session,
-                               const JobNeeds& needs);
+std::vector<DiskUse> disk_uses(const RenderJob& job, const JobNeeds& needs);
 
 /// What a file system has left for this user, in the folder; a very large number where it cannot be
 /// told.

@@ -23,6 +23,7 @@ constexpr std::int64_t kMebibyte = 1 << 20;    // what `M` is in --memory-limit
 constexpr std::int64_t kProgramme = 75 * kMB;  // code, libraries
 constexpr std::int64_t kSchemePlanes = 24;     // scratch of a scheme and the brush's contact
 constexpr std::int64_t kFollowedCell = 150;    // noted of a cell of the guide for the detail canvas
+constexpr std::int64_t kMarkedCell = 2;        // of these, where nothing is painted
 constexpr std::int64_t kShader = 60 * kMB;     // Mesa and what it compiles
 constexpr std::int64_t kShadedCell = 80;       // of a tile: packed, and in Mesa's textures
 constexpr std::int64_t kDumpCache = 64 * kMB;  // chunks being compressed
@@ -41,7 +42,8 @@ std::int64_t state_bytes(const LogSession& session) {
   return cells * planes * 4;
 }
 
-/// Of a cell of the guide: what is noted for the detail canvas, and what the guide held there.
+/// Of a painted cell of the guide: what is noted for the detail canvas, and what the guide held
+/// there.
 std::int64_t followed_cell(const LogSession& session) {
   const std::int64_t wet = 1 + std::int64_t{session.model.layers} * session.basis.channels();
   return kFollowedCell + 4 * wet;
@@ -132,13 +134,43 @@ std::int64_t shading_bytes(const LogSession& session, const RenderJob& job, cons
          light_lock_bytes(session, size, planes);
 }
 
+/// Cells of the guide whose planes of wet paint are written to.
+std::int64_t painted_cells(const LogSession& session, double reached_share) {
+  const std::int64_t cells = std::int64_t{session.grid.width} * session.grid.height;
+  if (!memory_follows_paint(session)) return cells;
+  return static_cast<std::int64_t>(static_cast<double>(cells) * reached_share);
+}
+
+/// Whether a bare canvas takes memory: all other planes are zeros there.
+bool has_relief(const LogSession& session) {
+  const log::PaperSpec& paper = session.reader->header().paper;
+  return session.start || (paper.texture != "smooth" && paper.relief_m != 0);
+}
+
+/// Of the guide's state, what is in memory.
+std::int64_t held_state_bytes(const LogSession& session, double reached_share) {
+  const std::int64_t cells = std::int64_t{session.grid.width} * session.grid.height;
+  const std::int64_t bare = has_relief(session) ? cells * 4 : 0;
+  return bare + (state_bytes(session) - bare) / cells * painted_cells(session, reached_share);
+}
+
+/// Writing a dump: a copy of the guide and, at detail 1, the file; of a finer canvas, what the
+/// follower notes in words for each cell of the guide, twice while these are hashed.
+std::int64_t dumping_bytes(const LogSession& session, double reached_share) {
+  const std::int64_t state = held_state_bytes(session, reached_share);
+  if (session.detail == 1) return 2 * state;
+  const std::int64_t cells = std::int64_t{session.grid.width} * session.grid.height;
+  const std::int64_t words = 1 + waiting_words(session.detail);
+  return state + 2 * cells * words * 4 + kDumpCache;
+}
+
 struct Writing {
   std::int64_t memory = 0, disk = 0, pictures = 0;  // `pictures` is a part of `disk`
 };
 
 /// What writing one set of outputs takes.
 Writing writing_needs(const RenderJob& job, const LogSession& session,
-                      const std::vector<PlannedOutput>& outputs) {
+                      const std::vector<PlannedOutput>& outputs, double reached_share) {
   Writing needs;
   const std::int64_t state = state_bytes(session);
   const std::int64_t square = std::int64_t{session.detail} * session.detail;
@@ -149,7 +181,7 @@ Writing writing_needs(const RenderJob& job, const LogSession& session,
     if (output.kind == OutputKind::kState) {
       // At detail 1 the file is built in memory.
       needs.disk += session.detail > 1 ? state * (square + 1) : state;
-      dumping = session.detail > 1 ? state + kDumpCache : 2 * state;
+      dumping = dumping_bytes(session, reached_share);
       continue;
     }
     const std::int64_t planes = picture_planes(output.kind, job.picture, session.basis);
@@ -180,28 +212,16 @@ std::int64_t limit_of(const RenderJob& job) {
   return std::min(job.max_memory.value_or(machine_memory()), address_space());
 }
 
-/// Cells of the guide whose planes of wet paint are written to.
-std::int64_t painted_cells(const LogSession& session, double reached_share) {
-  const std::int64_t cells = std::int64_t{session.grid.width} * session.grid.height;
-  if (!memory_follows_paint(session)) return cells;
-  return static_cast<std::int64_t>(static_cast<double>(cells) * reached_share);
-}
-
-/// Whether a bare canvas takes memory: all other planes are zeros there.
-bool has_relief(const LogSession& session) {
-  const log::PaperSpec& paper = session.reader->header().paper;
-  return session.start || (paper.texture != "smooth" && paper.relief_m != 0);
-}
-
 std::int64_t guide_bytes(const LogSession& session, double reached_share) {
   const std::int64_t cells = std::int64_t{session.grid.width} * session.grid.height;
   const std::int64_t painted = painted_cells(session, reached_share);
-  const std::int64_t bare = has_relief(session) ? cells * 4 : 0;
-  const std::int64_t wet = (state_bytes(session) - bare) / cells * painted;
   const std::int64_t fine = state_bytes(session) * session.detail * session.detail;
   const std::int64_t read = session.detail_start ? std::min(kDumpRead, fine) : 0;
-  const std::int64_t followed = session.detail > 1 ? cells * followed_cell(session) : 0;
-  return kProgramme + bare + wet + painted * kSchemePlanes * 4 + followed + read;
+  const std::int64_t followed =
+      session.detail > 1 ? painted * (followed_cell(session) - kMarkedCell) + cells * kMarkedCell
+                         : 0;
+  return kProgramme + held_state_bytes(session, reached_share) + painted * kSchemePlanes * 4 +
+         followed + read;
 }
 
 std::int64_t budget_beside(std::int64_t others, const RenderJob& job) {
@@ -211,7 +231,7 @@ std::int64_t budget_beside(std::int64_t others, const RenderJob& job) {
 
 bool memory_follows_paint(const LogSession& session) {
   // A limit on addresses counts planes whole.
-  return session.model.scheme == SchemeKind::kConservative && session.detail == 1 &&
+  return session.model.scheme == SchemeKind::kConservative &&
          PlaneMemory::leaves_out(session.grid.width, session.grid.height) &&
          address_space() == std::numeric_limits<std::int64_t>::max();
 }
@@ -220,7 +240,8 @@ JobNeeds job_needs(const RenderJob& job, const LogSession& session, const PaintS
   JobNeeds needs;
   const auto plan = plan_outputs(job.picture.outputs, job.stops);
   // Nothing is written by a dry run without outputs, which still asks what painting takes.
-  const Writing writing = plan ? writing_needs(job, session, plan->front()) : Writing{};
+  const Writing writing =
+      plan ? writing_needs(job, session, plan->front(), survey.reached_share) : Writing{};
   const auto points = static_cast<std::int64_t>(std::max<std::size_t>(1, job.stops.size()));
   const std::int64_t others = guide_bytes(session, survey.reached_share) + writing.memory;
   const std::int64_t detail =
@@ -228,15 +249,10 @@ JobNeeds job_needs(const RenderJob& job, const LogSession& session, const PaintS
   needs.disk_bytes = points * writing.disk;
   needs.picture_bytes = points * writing.pictures;
   needs.scratch_bytes = job.scratch.empty() ? 0 : detail;
+  needs.resident_bytes = budget_beside(others, job);
   needs.memory_bytes =
-      others + (job.scratch.empty() ? detail : std::min(detail, budget_beside(others, job)));
+      others + (job.scratch.empty() ? detail : std::min(detail, needs.resident_bytes));
   return needs;
-}
-
-std::int64_t resident_budget(const RenderJob& job, const LogSession& session) {
-  const auto plan = plan_outputs(job.picture.outputs, job.stops);
-  const std::int64_t writing = plan ? writing_needs(job, session, plan->front()).memory : 0;
-  return budget_beside(guide_bytes(session, 1) + writing, job);
 }
 
 Result<void> check_memory(const RenderJob& job, const LogSession& session,

@@ -12,10 +12,11 @@
 namespace pentimento {
 
 struct JobNeeds {
-  std::int64_t memory_bytes = 0;   // at the peak
-  std::int64_t disk_bytes = 0;     // of all outputs; pictures as if they did not compress
-  std::int64_t scratch_bytes = 0;  // of the detail canvas in --scratch
-  std::int64_t picture_bytes = 0;  // the pictures' part of disk_bytes
+  std::int64_t memory_bytes = 0;    // at the peak
+  std::int64_t disk_bytes = 0;      // of all outputs; pictures as if they did not compress
+  std::int64_t scratch_bytes = 0;   // of the detail canvas, if it is in --scratch
+  std::int64_t resident_bytes = 0;  // what memory has room for of that canvas
+  std::int64_t picture_bytes = 0;   // the pictures' part of disk_bytes
 };
 
 /// Whether a large canvas takes memory only where there is paint, so that job_needs() depends on
@@ -24,9 +25,6 @@ bool memory_follows_paint(const LogSession& session);
 
 /// `survey` is of the session.
 JobNeeds job_needs(const RenderJob& job, const LogSession& session, const PaintSurvey& survey);
-
-/// What --scratch leaves of the detail canvas in memory: what the limit has room for.
-std::int64_t resident_budget(const RenderJob& job, const LogSession& session);
 
 /// kLimit if the memory is over the job's limit, or over what the machine has: one line with what
 /// it would need and the options that would make it fit.

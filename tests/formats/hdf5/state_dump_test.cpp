@@ -6,6 +6,7 @@
 
 #include "core/optics/paints/paint_maker.h"
 #include "formats/io/provenance.h"
+#include "tests/core/base/resident_memory.h"
 #include "tests/formats/hdf5/made_up_dump.h"
 #include "tests/formats/scratch.h"
 
@@ -156,6 +157,22 @@ TEST(StateDump, EmptyCanvasTakesLittleSpace) {
   ASSERT_TRUE(write_state(scratch.path("a.h5"), dump, {}));
   // 38 MB of zeros; what is stored is minus zero in velocity_y, and the structure of the file.
   EXPECT_LT(std::filesystem::file_size(scratch.path("a.h5")), 200'000u);
+}
+
+TEST(StateDump, ABareCanvasTakesNoMemoryWhenItIsRead) {
+  if (is_marked_when_given()) GTEST_SKIP();
+  const Scratch scratch;
+  StateDump dump = made_up_dump(8, 8, 2, 2);
+  dump.state = make_canvas_state({2560, 2048, 1, 0.8}, 2, 2, 3, 0);
+  dump.state.velocity_y_m_s(700, 900) = 0.1f;
+  dump.state.velocity_x_m_s(1100, 900) = -0.0f;
+  ASSERT_TRUE(write_state(scratch.path("a.h5"), dump, {}));
+  const long before_mib = resident_mib();
+  const auto back = read_state(scratch.path("a.h5"));
+  ASSERT_TRUE(back) << back.error().message;
+  // Nine planes of paint would be 180 MiB. To find that they are bare may take as much as reading.
+  EXPECT_LT(resident_mib() - before_mib, 20 + taken_by_reading_mib(180));
+  expect_same_state(back->state, dump.state);
 }
 
 TEST(StateDump, H5dumpReadsEverything) {

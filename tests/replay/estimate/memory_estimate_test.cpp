@@ -137,13 +137,36 @@ TEST(MemoryEstimate, ALargeCanvasTakesMemoryWhereThereIsPaint) {
   EXPECT_EQ(e.memory(), 75 * kMB + kLarge * (13 + 24) * 4);
 }
 
+TEST(MemoryEstimate, APosterOfALargeCanvasTakesMemoryWhereThereIsPaint) {
+  constexpr std::int64_t kLarge = 2560 * 2048;
+  Estimated e;
+  e.survey.reached_share = 0.25;
+  e.folder.write("a.jsonl", log_on(2560, 2048, "smooth"));
+  const std::int64_t at_one = e.memory();
+  e.job.detail = 8;
+  // 150 bytes of a painted cell and what its five wet planes held, two of a bare one.
+  const std::int64_t followed = kLarge / 4 * (150 + 5 * 4) + kLarge / 4 * 3 * 2;
+  EXPECT_EQ(e.memory(), at_one + followed);
+  // A dump: the guide once more, and for each cell a word and a bit for each of its 64 finer cells,
+  // twice; chunks at work.
+  Estimated dump({"a.h5"});
+  dump.survey.reached_share = 0.25;
+  dump.folder.write("a.jsonl", log_on(2560, 2048, "smooth"));
+  EXPECT_EQ(dump.memory(), 75 * kMB + kLarge / 4 * (3 * 13 + 24) * 4);  // a copy, and the file
+  dump.job.detail = 8;
+  EXPECT_EQ(dump.memory(),
+            at_one + followed + kLarge / 4 * 13 * 4 + 2 * kLarge * (1 + 2) * 4 + 64 * kMB);
+}
+
 TEST(MemoryEstimate, ADumpIsHeldTwiceAndOfAFinerCanvasOnlyTheGuideIs) {
   Estimated dump({"a.h5"});
   EXPECT_EQ(dump.memory(), memory_without_outputs() + 2 * kState);
   dump.job.detail = 4;
-  EXPECT_EQ(dump.memory(), memory_without_outputs(4) + kState + 64 * kMB);  // and chunks at work
+  // Of each cell a word, and one for its 16 finer cells, twice; and chunks at work.
+  const std::int64_t fine = memory_without_outputs(4) + kState + kCells * 2 * 2 * 4 + 64 * kMB;
+  EXPECT_EQ(dump.memory(), fine);
   dump.survey.detail_bytes = 3e8;
-  EXPECT_EQ(dump.memory(), memory_without_outputs(4) + kState + 64 * kMB + 300 * kMB);
+  EXPECT_EQ(dump.memory(), fine + 300 * kMB);
 }
 
 TEST(MemoryEstimate, APictureIsShadedInTiles) {
@@ -208,7 +231,7 @@ TEST(MemoryEstimate, AScratchFileTakesWhatTheLimitHasNoRoomFor) {
   e.job.max_memory = others + 400 * kMB;
   EXPECT_EQ(e.memory(), others + 400 * kMB);
   EXPECT_EQ(e.needs().scratch_bytes, 1000 * kMB);
-  EXPECT_EQ(resident_budget(e.job, e.session()), 400 * kMB);
+  EXPECT_EQ(e.needs().resident_bytes, 400 * kMB);
   e.job.max_memory = 100 * kMB;  // tiles at work are always held
   EXPECT_EQ(e.memory(), others + 128 * kMB);
   e.job.max_memory = others + 5000 * kMB;
