@@ -26,6 +26,12 @@ int samples_per_pixel(int cells, int pixels) {
   return cells <= pixels ? 1 : (cells + pixels - 1) / pixels;
 }
 
+bool averages_cells(int cells_x, int cells_y, int pixels_x, int pixels_y) {
+  if (pixels_x > cells_x || pixels_y > cells_y) return false;
+  const int n = samples_per_pixel(cells_x, pixels_x);
+  return n > kMostCellsOfPixel || pixels_x * n != cells_x || pixels_y * n != cells_y;
+}
+
 AxisWindow axis_window(const SampleAxis& axis, int first_pixel, int count) {
   PENTIMENTO_CHECK(count > 0 && first_pixel >= 0 && first_pixel + count <= axis.pixels);
   const long long first = static_cast<long long>(first_pixel) * axis.per_pixel;

@@ -21,6 +21,14 @@ struct SampleAxis {
 /// Samples per pixel, along each axis, that leave no cell unseen.
 int samples_per_pixel(int cells, int pixels);
 
+/// Cells along a pixel that the shader reads at most: more would make one pixel a tile of its own.
+inline constexpr int kMostCellsOfPixel = 2048;
+
+/// Whether a picture is drawn cell by cell, and the cells' light averaged: it is smaller than the
+/// canvas, and either not by a whole factor or by more than kMostCellsOfPixel. By a whole factor
+/// the shader itself does the same.
+bool averages_cells(int cells_x, int cells_y, int pixels_x, int pixels_y);
+
 /// What the samples of a run of pixels need.
 struct AxisWindow {
   int first_cell = 0;  // may be negative: cells outside the grid repeat its edge

@@ -12,6 +12,7 @@
 #include "core/shading/gl_limits.h"
 #include "core/shading/gloss_keeper.h"
 #include "core/shading/picture_job.h"
+#include "core/shading/sampling.h"
 #include "core/shading/shade_program.h"
 
 namespace pentimento {
@@ -76,12 +77,8 @@ class GlShader : public Shader {
     return {};
   }
 
-  /// The picture is smaller than the canvas, and not by a whole factor: then cells are shaded once
-  /// each and their light averaged. (By a whole factor the shader itself does the same.)
   static bool reduces(const CanvasGeometry& grid, const ShadeRequest& r) {
-    if (r.width > grid.width || r.height > grid.height) return false;
-    const int n = samples_per_pixel(grid.width, r.width);
-    return r.width * n != grid.width || r.height * n != grid.height;
+    return averages_cells(grid.width, grid.height, r.width, r.height);
   }
 
   Result<void> run_reduced(const ShadeScene& scene, const ShadeRequest& r,

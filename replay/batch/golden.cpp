@@ -7,6 +7,7 @@
 #include <set>
 #include <sstream>
 
+#include "formats/io/file_sha256.h"
 #include "formats/io/publish.h"
 #include "formats/io/read_file.h"
 #include "formats/io/sha256.h"
@@ -46,7 +47,8 @@ Result<std::string> put(const std::string& file, const fs::path& folder, const c
   const std::string hash = sha256_hex(*bytes);
   fs::create_directories(folder, problem);
   const fs::path target = folder / (hash + ending);
-  if (fs::exists(target, problem)) return hash;
+  if (const Result<std::string> there = file_sha256(target.string()); there && *there == hash)
+    return hash;
   if (Result<Published> done = publish_bytes(target.string(), *bytes); !done) return done.error();
   return hash;
 }
@@ -67,7 +69,9 @@ Result<GoldenStore> GoldenStore::open(const std::string& path) {
       return Error{ErrorCode::kBadInput,
                    fmt::format("{}:{}: not an entry of a golden index", index, number)};
     const std::string id = entry->id;
-    store.entries_[id] = std::move(*entry);
+    if (!store.entries_.emplace(id, std::move(*entry)).second)
+      return Error{ErrorCode::kBadInput,
+                   fmt::format("{}:{}: a second entry of {}", index, number, json(id).dump())};
   }
   return store;
 }
@@ -77,8 +81,14 @@ const GoldenEntry* GoldenStore::find(const std::string& id) const {
   return found == entries_.end() ? nullptr : &found->second;
 }
 
-std::string GoldenStore::picture(const GoldenEntry& entry) const {
-  return (fs::path(path_) / "pictures" / (entry.picture_sha256 + ".png")).string();
+Result<std::string> GoldenStore::picture(const GoldenEntry& entry) const {
+  const std::string file =
+      (fs::path(path_) / "pictures" / (entry.picture_sha256 + ".png")).string();
+  const Result<std::string> hash = file_sha256(file);
+  if (!hash) return hash.error();
+  if (*hash != entry.picture_sha256)
+    return Error{ErrorCode::kBadInput, file + ": not the golden picture that was taken"};
+  return file;
 }
 
 std::string GoldenStore::dump(const GoldenEntry& entry) const {
@@ -94,8 +104,10 @@ bool GoldenStore::is_taken(const BatchRow& row, const RunFolder& run) const {
   if (entry->picture_sha256 == picture_sha256) return true;
   if (entry->picture_sha256.empty() || picture_sha256.empty()) return picture_sha256.empty();
   // Another build writes its name into the file: the pixels decide.
+  const Result<std::string> golden = picture(*entry);
+  if (!golden) return false;
   const Result<Comparison> same =
-      compare_files(picture(*entry), run.file_of(row.key, "picture.png"), {}, 0);
+      compare_files(*golden, run.file_of(row.key, "picture.png"), {}, 0);
   return same && same->equal;
 }
 

@@ -31,12 +31,14 @@ struct GoldenEntry {
 class GoldenStore {
  public:
   /// Reads the index of the folder; a folder without one has no entries. Errors: kBadInput with
-  /// file and line.
+  /// file and line, also for an id that it has twice.
   static Result<GoldenStore> open(const std::string& path);
 
   /// nullptr if there is none.
   const GoldenEntry* find(const std::string& id) const;
-  std::string picture(const GoldenEntry& entry) const;
+  /// The path of the entry's picture. Errors: kIo if it is missing, kBadInput if it is no longer
+  /// the one that was taken.
+  Result<std::string> picture(const GoldenEntry& entry) const;
   std::string dump(const GoldenEntry& entry) const;
 
   /// Takes the results of `rows` as golden where they are not yet: a state or a picture that

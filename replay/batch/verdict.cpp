@@ -98,7 +98,9 @@ void judge_golden(const BatchJob& job, const GoldenEntry& entry, const GoldenSto
   if (entry.picture_sha256 == picture_sha256 || picture_sha256.empty()) return;
   if (entry.picture_sha256.empty())
     return fail(row, RowKind::kPicture, "the golden result has no picture");
-  judge_picture(job, store.picture(entry), entry.picture_sha256, run, row);
+  const Result<std::string> golden = store.picture(entry);
+  if (!golden) return fail(row, RowKind::kPicture, golden.error().message);
+  judge_picture(job, *golden, entry.picture_sha256, run, row);
 }
 }  // namespace
 

@@ -68,6 +68,7 @@ std::string estimate_json(const JobEstimate& e) {
 
 std::string estimate_text(const JobEstimate& e) {
   constexpr std::int64_t kMB = 1'000'000;
+  const auto megabytes = [](std::int64_t bytes) { return (bytes + kMB - 1) / kMB; };
   return fmt::format(
       "picture  {} x {} pixels\n"
       "grid     {} x {} cells, {} times finer\n"
@@ -77,8 +78,8 @@ std::string estimate_text(const JobEstimate& e) {
       "disk     {} MB at most, scratch {} MB\n"
       "time     {:.0f} s\n",
       e.size.width, e.size.height, e.grid.width, e.grid.height, e.detail, e.steps, e.survey.stamps,
-      e.survey.tiles, e.survey.all_tiles, e.needs.memory_bytes / kMB, e.needs.disk_bytes / kMB,
-      e.needs.scratch_bytes / kMB, e.time_s);
+      e.survey.tiles, e.survey.all_tiles, megabytes(e.needs.memory_bytes),
+      megabytes(e.needs.disk_bytes), megabytes(e.needs.scratch_bytes), e.time_s);
 }
 
 }  // namespace pentimento

@@ -11,6 +11,7 @@
 #include "core/base/plane_memory.h"
 #include "core/base/thread_count.h"
 #include "core/shading/light_lock.h"
+#include "core/shading/sampling.h"
 #include "core/shading/tile_plan.h"
 #include "replay/output/output_plan.h"
 #include "replay/output/output_set.h"
@@ -89,8 +90,8 @@ std::int64_t light_lock_bytes(const LogSession& session, const OutputSize& size,
          std::int64_t{session.grid.width} * session.grid.height * 3 * 4;
 }
 
-/// What is drawn of a picture, along both axes: its pixels or, where several cells that are no
-/// whole number lie on a pixel, the cells, whose light is then averaged.
+/// What is drawn of a picture, along both axes: its pixels, or the cells, whose light is then
+/// averaged.
 struct DrawnPicture {
   SampleAxis x, y;
   int columns = 0, rows = 0;  // of the crop
@@ -101,10 +102,10 @@ DrawnPicture drawn_picture(const LogSession& session, const OutputSize& size) {
   const bool is_small = width <= session.grid.width && height <= session.grid.height;
   const int k = is_small ? 1 : session.detail;  // a small picture shows the simulation's own grid
   const int nx = k * session.grid.width, ny = k * session.grid.height;
-  const int samples = std::max(samples_per_pixel(nx, width), samples_per_pixel(ny, height));
-  const bool is_whole = nx == width * samples && ny == height * samples;
-  if (is_whole || width > nx || height > ny)
+  if (!averages_cells(nx, ny, width, height)) {
+    const int samples = std::max(samples_per_pixel(nx, width), samples_per_pixel(ny, height));
     return {{nx, width, samples}, {ny, height, samples}, size.width, size.height};
+  }
   const auto cells = [](int pixels, int of, int along) {
     return static_cast<int>(std::int64_t{pixels} * along / of);
   };

@@ -92,6 +92,11 @@ def changed_pictures(root, build, cases, folder):
     return lines
 
 
+def pictures_without_case(cases):
+    names = {f"{case['name']}.png" for case in cases["pictures"]}
+    return sorted(file for file in (HERE / "pictures").glob("*") if file.name not in names)
+
+
 def main():
     if len(sys.argv) != 4 or sys.argv[1] not in ("check", "renew"):
         raise SystemExit(__doc__)
@@ -104,12 +109,16 @@ def main():
     with tempfile.TemporaryDirectory() as scratch:
         folder = pathlib.Path(scratch)
         pictures = changed_pictures(root, build, cases, folder)
+        left_over = pictures_without_case(cases)
         if command == "renew" and not problems:
             file.write_text(json.dumps(found, indent=1) + "\n")
             (HERE / "pictures").mkdir(exist_ok=True)
             for line in pictures:
                 name = line.split(":")[0]
                 (HERE / "pictures" / name).write_bytes((folder / name).read_bytes())
+            for picture in left_over:
+                picture.unlink()
+    pictures += [f"{picture.name}: no longer a case" for picture in left_over]
     for line in problems + changes + pictures:
         print(line)
     print(f"{len(found)} states by {THREADS[0]} and {THREADS[1]} threads, {len(cases['pictures'])} pictures: "

@@ -53,6 +53,17 @@ TEST(AxisWindow, NeverExceedsWhatItPromises) {
   }
 }
 
+TEST(AveragesCells, ByNoWholeFactorAndByAVeryLargeOne) {
+  EXPECT_FALSE(averages_cells(100, 50, 100, 50));
+  EXPECT_FALSE(averages_cells(100, 50, 50, 25));
+  EXPECT_TRUE(averages_cells(100, 50, 40, 20));    // 2.5 cells
+  EXPECT_TRUE(averages_cells(100, 50, 50, 50));    // 2 cells along x alone
+  EXPECT_FALSE(averages_cells(100, 50, 200, 40));  // larger along x
+  EXPECT_FALSE(averages_cells(2048, 2048, 1, 1));
+  EXPECT_TRUE(averages_cells(2049, 2049, 1, 1));
+  EXPECT_TRUE(averages_cells(16384, 16384, 4, 4));
+}
+
 TileDemand demand(int cells, int pixels, int tile) {
   return {{cells, pixels, samples_per_pixel(cells, pixels)},
           {cells, pixels, samples_per_pixel(cells, pixels)},

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "formats/io/sha256.h"
 #include "tests/replay/batch/made_batch.h"
 
 namespace pentimento {
@@ -93,6 +94,44 @@ TEST_F(GoldenTest, WhoAllowsADifferenceGetsIt) {
   const BatchSummary summary = tolerant.run();
   EXPECT_TRUE(MadeBatch::row(summary, "one").passed()) << "its state is not asked";
   EXPECT_EQ(MadeBatch::row(summary, "two").kind, RowKind::kPicture);
+}
+
+TEST_F(GoldenTest, APictureThatIsMissingOrAnotherFailsUntilItIsTakenAnew) {
+  update("begun");
+  const GoldenStore store = *GoldenStore::open(batch.path("golden"));
+  const std::string picture = *store.picture(*store.find("one"));
+  // Somebody put what the program shows now where what was found right should be.
+  MadeBatch::write_picture(batch.path("picture.png"), 9);
+  std::filesystem::copy_file(batch.path("picture.png"), picture,
+                             std::filesystem::copy_options::overwrite_existing);
+  batch.request.run = batch.path("after");
+  const BatchSummary other = batch.run();
+  EXPECT_EQ(MadeBatch::row(other, "one").kind, RowKind::kPicture);
+  EXPECT_EQ(MadeBatch::row(other, "one").reasons,
+            std::vector<std::string>{picture + ": not the golden picture that was taken"});
+  std::filesystem::remove(picture);
+  const BatchSummary missing = batch.run();
+  EXPECT_EQ(MadeBatch::row(missing, "one").kind, RowKind::kPicture);
+  EXPECT_NE(MadeBatch::row(missing, "one").reasons.at(0).find(picture), std::string::npos);
+  // A file that has the new picture's name and is none does not stay.
+  const std::string hash = sha256_hex(test::slurp(batch.path("picture.png")));
+  test::spill(batch.path("golden/pictures/" + hash + ".png"), "none");
+  EXPECT_EQ(update("a speck"), (std::vector<std::string>{"one", "two"}));
+  const GoldenStore renewed = *GoldenStore::open(batch.path("golden"));
+  EXPECT_TRUE(renewed.picture(*renewed.find("one")));
+  EXPECT_EQ(batch.run().failed(), 0);
+}
+
+TEST_F(GoldenTest, AnIdIsInTheIndexOnce) {
+  update("begun");
+  const std::string index = batch.path("golden/index.jsonl");
+  const std::string text = test::slurp(index);
+  test::spill(index, text + text);
+  const Result<GoldenStore> store = GoldenStore::open(batch.path("golden"));
+  ASSERT_FALSE(store);
+  EXPECT_NE(store.error().message.find("index.jsonl:3: a second entry of \"one\""),
+            std::string::npos)
+      << store.error().message;
 }
 
 TEST_F(GoldenTest, ABrokenIndexIsNamed) {
