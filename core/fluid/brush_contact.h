@@ -35,6 +35,9 @@ BrushContact make_brush_contact(int width, int height);
 /// Sets everything back to untouched.
 void clear(BrushContact& contact);
 
+/// Gives back the memory of an untouched contact, whose planes are zero.
+void give_back(BrushContact& contact);
+
 BrushContact clone(const BrushContact& contact);
 
 }  // namespace pentimento

@@ -17,6 +17,9 @@
 namespace pentimento {
 
 namespace {
+// As the workspace of the fluid does (RestingTiles): what the brush left is zeros after a step.
+constexpr std::int64_t kStepsBetweenGivingBack = 128;
+
 struct TouchState {
   explicit TouchState(int channels) : reservoir(channels) {}
   Reservoir reservoir;
@@ -321,6 +324,9 @@ bool Simulation::step() {
   const bool moved = m.scheme->step(m.state, in);
   if (m.listener != nullptr) m.listener->stepped(m.state, in);
   pentimento::clear(m.contact);
+  if (PlaneMemory::leaves_out(m.state.geometry.width, m.state.geometry.height) &&
+      m.state.step % kStepsBetweenGivingBack == 0)
+    give_back(m.contact);
   m.fresh = false;
   ++m.state.step;
   return moved || touched;

@@ -114,6 +114,7 @@ void ConservativeScheme::make_tiles(float sleep_tile_m) {
   sleep_tile_m_ = sleep_tile_m;
   tiles_ = std::make_unique<SleepTiles>(geometry_, sleep_tile_m);
   live_ = {};
+  resting_ = {};
 }
 
 bool ConservativeScheme::step(CanvasState& state, const StepInput& in) {
@@ -122,6 +123,8 @@ bool ConservativeScheme::step(CanvasState& state, const StepInput& in) {
   // 1. Wake tiles: finds the tiles that this step computes. The workspace of a tile that is asleep
   // holds zeros; find_live() sees to the solver's planes.
   for (const int tile : tiles_->wake(state, in)) work_.clear(tiles_->box(tile));
+  if (PlaneMemory::leaves_out(geometry_.width, geometry_.height))
+    for (const CellBox& box : resting_.find(*tiles_)) work_.give_back(box);
   // A fresh canvas rests, but for what the brush has just touched: planes take no memory where
   // nobody writes to them.
   if (state.sleep.empty() && in.fresh) tiles_->rest_fresh(state, in);

@@ -18,6 +18,7 @@
 #include "core/fluid/conservative/solve/height_row.h"
 #include "core/fluid/conservative/solve/workspace.h"
 #include "core/fluid/conservative/tiles/live_tiles.h"
+#include "core/fluid/conservative/tiles/resting_tiles.h"
 #include "core/fluid/conservative/tiles/sleep_tiles.h"
 #include "core/fluid/scheme.h"
 
@@ -71,6 +72,7 @@ class ConservativeScheme : public FluidScheme {
   std::unique_ptr<SleepTiles> tiles_;  // made at the first step: their size is a parameter
   float sleep_tile_m_ = 0;             // that parameter then; 0 before the first step
   LiveTiles live_;                     // of this step
+  RestingTiles resting_;               // used on large canvases
   Workspace work_;
   std::function<void(const char*)> passed_;
   BrushContact untouched_;  // of no size: the brush touches nothing in the later parts of a step

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/core/base/resident_memory.h"
+
 namespace pentimento {
 namespace {
 
@@ -53,6 +55,19 @@ TEST(BrushContact, IsUntouchedWhenCleared) {
     clear(c);
     EXPECT_TRUE(is_untouched(c));
   }
+}
+
+TEST(BrushContact, GivesItsMemoryBackAndStaysUntouched) {
+  BrushContact c = make_brush_contact(4096, 2048);  // planes of 32 MiB
+  for (Field<float>* f :
+       {&c.weight, &c.velocity_x_m_s, &c.velocity_y_m_s, &c.push_x_m, &c.push_y_m})
+    f->fill(0.5f);
+  c.touch(0, 4096, 0, 2048);
+  clear(c);
+  const long before_mib = resident_mib();
+  give_back(c);
+  EXPECT_LE(resident_mib() - before_mib, is_marked_when_given() ? 0 : -150);
+  EXPECT_TRUE(is_untouched(c));
 }
 
 }  // namespace

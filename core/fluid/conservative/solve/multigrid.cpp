@@ -113,6 +113,18 @@ void Multigrid::clear(int x0, int x1, int y0, int y1) {
   }
 }
 
+void Multigrid::give_back(int x0, int x1, int y0, int y1) {
+  for (Level& level : levels_) {
+    if (x0 >= x1 || y0 >= y1) return;
+    for (WorkPlane* p : level.planes()) p->give_back(x0, x1, y0, y1);
+    // The coarse nodes of these fine ones alone.
+    x0 = (x0 + 1) / 2;
+    y0 = (y0 + 1) / 2;
+    x1 /= 2;
+    y1 /= 2;
+  }
+}
+
 int Multigrid::levels_for(float coupling) const {
   int levels = 1;
   for (; coupling > 0.3f && levels < static_cast<int>(levels_.size()); coupling /= 4) ++levels;

@@ -33,6 +33,9 @@ class Multigrid {
   void set_runs(const std::vector<Run>& runs);
   /// Writes zeros on all planes of all levels, over the fine nodes [x0, x1) x [y0, y1).
   void clear(int x0, int x1, int y0, int y1);
+  /// Gives back the memory of all planes of all levels, over these fine nodes, where they hold
+  /// zeros.
+  void give_back(int x0, int x1, int y0, int y1);
   /// How many levels a system with couplings up to `coupling` (without unit, z = 1) needs: on each
   /// next level they are 4 times weaker, and at 0.3 sweeps alone do. At most as many as there are
   /// grids.

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/base/field.h"
+#include "core/base/give_back.h"
 
 namespace pentimento::conservative {
 
@@ -24,6 +25,17 @@ class WorkPlane {
   /// Writes zeros in [x0, x1) x [y0, y1).
   void clear(int x0, int x1, int y0, int y1) {
     for (int y = y0; y < y1; ++y) std::fill(row(y) + x0, row(y) + x1, 0.0f);
+  }
+  /// Gives back the memory of [x0, x1) x [y0, y1), page by page, where the plane holds zeros.
+  void give_back(int x0, int x1, int y0, int y1) {
+    const auto bytes = [](const float* begin, const float* end) {
+      return static_cast<std::size_t>(end - begin) * sizeof(float);
+    };
+    // Whole rows lie one behind the other, if there are zeros between them.
+    if (x0 == 0 && x1 == width_ && row(y0)[-1] == 0 && row(y0)[width_] == 0)
+      return pentimento::give_back(row(y0), bytes(row(y0), row(y1 - 1) + width_));
+    for (int y = y0; y < y1; ++y)
+      pentimento::give_back(row(y) + x0, bytes(row(y) + x0, row(y) + x1));
   }
   friend void swap(WorkPlane& a, WorkPlane& b) noexcept {
     std::swap(a.width_, b.width_);

@@ -31,4 +31,9 @@ void Workspace::clear(const CellBox& box) {
   for_planes(*this, [&](WorkPlane& p) { p.clear(box.x0, box.x1, box.y0, box.y1); });
 }
 
+void Workspace::give_back(const CellBox& box) {
+  for_planes(*this, [&](WorkPlane& p) { p.give_back(box.x0, box.x1, box.y0, box.y1); });
+  solver.give_back(box.x0, box.x1, box.y0, box.y1);
+}
+
 }  // namespace pentimento::conservative

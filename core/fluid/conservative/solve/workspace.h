@@ -26,6 +26,8 @@ struct Workspace {
   explicit Workspace(const CanvasGeometry& g);
   /// Writes zeros on all planes but the solver's.
   void clear(const CellBox& box);
+  /// Gives back the memory of all planes in a box of tiles that sleep.
+  void give_back(const CellBox& box);
 
   NodePlanes x, y;
   WorkPlane height_m;       // h = b + d of cells
