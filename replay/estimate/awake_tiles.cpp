@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <bit>
 
+#include "core/fluid/conservative/tiles/resting_tiles.h"
+
 namespace pentimento {
 
 namespace {
@@ -12,6 +14,7 @@ constexpr std::int64_t kSettlingSteps = 9, kRunningSteps = 45;
 constexpr float kThinPigment = 0.3f;
 constexpr double kWakingTilt_m_s2 = 0.3;  // more than this along the canvas, and all paint moves
 constexpr int kSide = 32;                 // cells
+constexpr std::int64_t kStepsOfLook = conservative::RestingTiles::kStepsBetween;
 
 int tiles_along(int cells) {
   return (cells + kSide - 1) / kSide;
@@ -35,6 +38,11 @@ AwakeTiles::AwakeTiles(const CanvasGeometry& grid)
       ever_(tiles_.size(), 0) {}
 
 void AwakeTiles::touch(int x, int y, const PaintedCells& touch) {
+  if (touch.step >= next_look_) {
+    look();
+    next_look_ = (touch.step / kStepsOfLook + 1) * kStepsOfLook;
+  }
+  last_touch_ = touch.step;
   const auto at = static_cast<std::size_t>(y / kSide * columns_ + x / kSide);
   Tile& tile = tiles_[at];
   ever_[at] = 1;
@@ -62,16 +70,37 @@ void AwakeTiles::tilt(double lateral_m_s2, std::int64_t step) {
   tilted_since_ = lateral_m_s2 > kWakingTilt_m_s2 ? step : -1;
 }
 
+void AwakeTiles::look() {
+  std::vector<std::uint8_t> used(tiles_.size(), 0);
+  std::transform(tiles_.begin(), tiles_.end(), used.begin(), [&](const Tile& tile) {
+    return tile.touched >= 0 &&
+           tile.touched + tile.settling_steps >= last_touch_ - 2 * kStepsOfLook;
+  });
+  const auto count = std::count(used.begin(), used.end(), std::uint8_t{1});
+  if (count <= most_used_) return;
+  most_used_ = count;
+  used_ = std::move(used);
+}
+
 void AwakeTiles::clear() {
+  look();
   std::fill(tiles_.begin(), tiles_.end(), Tile());
   wet_tiles_ = 0;
 }
 
 double AwakeTiles::reached_share(int width, int height) const {
+  return share_near(ever_, width, height);
+}
+
+double AwakeTiles::most_used_share(int width, int height) const {
+  return used_.empty() ? 0 : share_near(used_, width, height);
+}
+
+double AwakeTiles::share_near(const std::vector<std::uint8_t>& tiles, int width, int height) const {
   const int across = (width_ + width - 1) / width, down = (height_ + height - 1) / height;
   std::vector<std::uint8_t> reached(static_cast<std::size_t>(across * down), 0);
-  for (std::size_t tile = 0; tile < ever_.size(); ++tile) {
-    if (ever_[tile] == 0) continue;
+  for (std::size_t tile = 0; tile < tiles.size(); ++tile) {
+    if (tiles[tile] == 0) continue;
     // The tile and as much on each side of it.
     const int x = static_cast<int>(tile) % columns_ * kSide - kSide;
     const int y = static_cast<int>(tile) / columns_ * kSide - kSide;
@@ -87,6 +116,7 @@ double AwakeTiles::reached_share(int width, int height) const {
 
 void AwakeTiles::finish(std::int64_t step) {
   tilt(0, step);
+  look();
   for (const Tile& tile : tiles_)
     if (tile.touched >= 0)
       add(tile, std::clamp<std::int64_t>(step - tile.touched, 0, tile.settling_steps));

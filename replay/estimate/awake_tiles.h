@@ -47,6 +47,9 @@ class AwakeTiles {
   /// Share of the canvas, cut into sleep tiles of `width` x `height` cells, whose tiles have come
   /// within 32 cells of paint that was ever touched.
   double reached_share(int width, int height) const;
+  /// The same of the paint that was touched, or moved after it, within a look at tiles that rest
+  /// (RestingTiles) and the one before, when that was most. Known after finish().
+  double most_used_share(int width, int height) const;
 
  private:
   struct Tile {
@@ -55,11 +58,16 @@ class AwakeTiles {
     std::uint32_t mask = 0;  // channels that it has wet
   };
   void add(const Tile& tile, std::int64_t steps);
+  void look();
+  double share_near(const std::vector<std::uint8_t>& tiles, int width, int height) const;
 
   int width_, height_;  // cells
   int columns_;
   std::vector<Tile> tiles_;
   std::vector<std::uint8_t> ever_;  // touched, also if it dried since
+  std::vector<std::uint8_t> used_;  // lately, when these were most
+  std::int64_t most_used_ = 0;
+  std::int64_t last_touch_ = 0, next_look_ = 0;  // steps
   std::int64_t wet_tiles_ = 0;
   std::int64_t tilted_since_ = -1;  // step; -1: lies flat
   MovingPaint awake_;

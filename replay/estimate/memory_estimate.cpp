@@ -135,11 +135,12 @@ std::int64_t shading_bytes(const LogSession& session, const RenderJob& job, cons
          light_lock_bytes(session, size, planes);
 }
 
-/// Cells of the guide whose planes of wet paint are written to.
-std::int64_t painted_cells(const LogSession& session, double reached_share) {
+/// Cells of the guide that a share of its sleep tiles has, where planes take memory by what is
+/// written; else all.
+std::int64_t painted_cells(const LogSession& session, double share) {
   const std::int64_t cells = std::int64_t{session.grid.width} * session.grid.height;
   if (!memory_follows_paint(session)) return cells;
-  return static_cast<std::int64_t>(static_cast<double>(cells) * reached_share);
+  return static_cast<std::int64_t>(static_cast<double>(cells) * share);
 }
 
 /// Whether a bare canvas takes memory: all other planes are zeros there.
@@ -213,15 +214,16 @@ std::int64_t limit_of(const RenderJob& job) {
   return std::min(job.max_memory.value_or(machine_memory()), address_space());
 }
 
-std::int64_t guide_bytes(const LogSession& session, double reached_share) {
+std::int64_t guide_bytes(const LogSession& session, const PaintSurvey& survey) {
   const std::int64_t cells = std::int64_t{session.grid.width} * session.grid.height;
-  const std::int64_t painted = painted_cells(session, reached_share);
+  const std::int64_t painted = painted_cells(session, survey.reached_share);
+  const std::int64_t used = painted_cells(session, survey.used_share);
   const std::int64_t fine = state_bytes(session) * session.detail * session.detail;
   const std::int64_t read = session.detail_start ? std::min(kDumpRead, fine) : 0;
   const std::int64_t followed =
       session.detail > 1 ? painted * (followed_cell(session) - kMarkedCell) + cells * kMarkedCell
                          : 0;
-  return kProgramme + held_state_bytes(session, reached_share) + painted * kSchemePlanes * 4 +
+  return kProgramme + held_state_bytes(session, survey.reached_share) + used * kSchemePlanes * 4 +
          followed + read;
 }
 
@@ -244,7 +246,7 @@ JobNeeds job_needs(const RenderJob& job, const LogSession& session, const PaintS
   const Writing writing =
       plan ? writing_needs(job, session, plan->front(), survey.reached_share) : Writing{};
   const auto points = static_cast<std::int64_t>(std::max<std::size_t>(1, job.stops.size()));
-  const std::int64_t others = guide_bytes(session, survey.reached_share) + writing.memory;
+  const std::int64_t others = guide_bytes(session, survey) + writing.memory;
   const std::int64_t detail =
       session.detail > 1 ? static_cast<std::int64_t>(survey.detail_bytes) : 0;
   needs.disk_bytes = points * writing.disk;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <tuple>
 
 #include "core/fluid/conservative/tiles/sleep_tiles.h"
 
@@ -199,14 +200,15 @@ PaintSurvey PaintMap::finish(std::int64_t end_step) {
   survey_.awake = awake_.awake();
   survey_.tilted_cell_steps = awake_.tilted_cell_steps();
   survey_.all_tiles = layout_.tiles();
-  survey_.reached_share = reached_share();
+  std::tie(survey_.reached_share, survey_.used_share) = sleep_tile_shares();
   return survey_;
 }
 
-double PaintMap::reached_share() const {
-  if (full_ || awake_.tilted_cell_steps() > 0) return 1;
+std::pair<double, double> PaintMap::sleep_tile_shares() const {
+  if (full_ || awake_.tilted_cell_steps() > 0) return {1, 1};
   const conservative::SleepTiles tiles(grid_, sleep_tile_m_);
-  return awake_.reached_share(tiles.tile_width(), tiles.tile_height());
+  return {awake_.reached_share(tiles.tile_width(), tiles.tile_height()),
+          awake_.most_used_share(tiles.tile_width(), tiles.tile_height())};
 }
 
 }  // namespace pentimento

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/base/field.h"
@@ -58,7 +59,9 @@ class PaintMap {
   void account(std::int64_t step);
   void run_down();
   void measure();
-  double reached_share() const;
+  /// Of the sleep tiles: those that paint comes to, or near, and those of them that are used at
+  /// once.
+  std::pair<double, double> sleep_tile_shares() const;
   std::int64_t tile_bytes(const CellBox& box) const;
   std::int64_t written_bytes(std::span<const std::uint32_t> rows, std::uint32_t mask) const;
 

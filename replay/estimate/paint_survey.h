@@ -24,6 +24,7 @@ struct PaintSurvey {
   // Of the guide's sleep tiles, those that paint comes to, or near. 1: not known, or paint may run
   // anywhere, or a dump has filled all planes.
   double reached_share = 1;
+  double used_share = 1;  // of the same, those that hold work of the scheme at once
 };
 
 /// Plays the session's log from its first event up to its last stop and rewinds it. Errors: the

@@ -81,5 +81,31 @@ TEST(SettlingSteps, ThinPaintMovesLongerTheMoreOfItThereIs) {
   EXPECT_LT(settling_steps(thin), settling_steps(much));
 }
 
+TEST(AwakeTiles, AreUsedUntilASecondLookAtWhatRests) {
+  constexpr CanvasGeometry kLarge = {1024, 1024, 1.024, 1.024};
+  const auto most = [&](const std::vector<std::int64_t>& steps, bool dried) {
+    AwakeTiles tiles(kLarge);
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+      // Strokes far from one another, each over 4 x 1 tiles.
+      tiles.touch(128, 128 + 256 * static_cast<int>(i), 128, 32, {1, steps[i], 9});
+      if (dried) tiles.clear();
+    }
+    tiles.finish(5000);
+    return tiles.most_used_share(64, 64);
+  };
+  // With 32 cells on either side a stroke comes to 6 x 3 tiles of 32 cells, 4 x 2 of 64.
+  constexpr double kStroke = 4.0 * 2 / 256;
+  EXPECT_EQ(most({}, false), 0);
+  EXPECT_EQ(most({10}, false), kStroke);
+  EXPECT_EQ(most({10, 10, 10}, false), 3 * kStroke);
+  // A look every 128 steps: what moved within 256 steps may still be held.
+  EXPECT_EQ(most({10, 200, 275}, false), 3 * kStroke);  // the first moved until step 19
+  EXPECT_EQ(most({10, 200, 276}, false), 2 * kStroke);
+  EXPECT_EQ(most({10, 4000, 4001}, false), 2 * kStroke);
+  EXPECT_EQ(most({10, 11, 4000}, false), 2 * kStroke);
+  // Drying ends it; what was used before counts.
+  EXPECT_EQ(most({10, 11}, true), kStroke);
+}
+
 }  // namespace
 }  // namespace pentimento

@@ -124,14 +124,16 @@ TEST(MemoryEstimate, OfAProgrammeThatPaintsNothingIsItsCodeAndTheCanvas) {
 TEST(MemoryEstimate, ALargeCanvasTakesMemoryWhereThereIsPaint) {
   Estimated e;
   e.survey.reached_share = 0.25;
+  e.survey.used_share = 0.0625;
   EXPECT_EQ(e.memory(), memory_without_outputs());  // 400 x 300 cells: large pages are filled
   constexpr std::int64_t kLarge = 2560 * 2048;
   e.folder.write("a.jsonl", log_on(2560, 2048));
   EXPECT_TRUE(memory_follows_paint(e.session()));
-  // The paper's relief everywhere, twelve planes and the scheme's in a quarter.
-  EXPECT_EQ(e.memory(), 75 * kMB + kLarge * 4 + kLarge / 4 * (12 + 24) * 4);
+  // The paper's relief everywhere, twelve planes in a quarter, the scheme's in a quarter of it.
+  constexpr std::int64_t kScheme = kLarge / 16 * 24 * 4;
+  EXPECT_EQ(e.memory(), 75 * kMB + kLarge * 4 + kLarge / 4 * 12 * 4 + kScheme);
   e.folder.write("a.jsonl", log_on(2560, 2048, "smooth"));
-  EXPECT_EQ(e.memory(), 75 * kMB + kLarge / 4 * (13 + 24) * 4);
+  EXPECT_EQ(e.memory(), 75 * kMB + kLarge / 4 * 13 * 4 + kScheme);
   e.job.model = {{"scheme", "paper"}};
   EXPECT_FALSE(memory_follows_paint(e.session()));
   EXPECT_EQ(e.memory(), 75 * kMB + kLarge * (13 + 24) * 4);
@@ -140,7 +142,7 @@ TEST(MemoryEstimate, ALargeCanvasTakesMemoryWhereThereIsPaint) {
 TEST(MemoryEstimate, APosterOfALargeCanvasTakesMemoryWhereThereIsPaint) {
   constexpr std::int64_t kLarge = 2560 * 2048;
   Estimated e;
-  e.survey.reached_share = 0.25;
+  e.survey.reached_share = e.survey.used_share = 0.25;
   e.folder.write("a.jsonl", log_on(2560, 2048, "smooth"));
   const std::int64_t at_one = e.memory();
   e.job.detail = 8;
@@ -150,7 +152,7 @@ TEST(MemoryEstimate, APosterOfALargeCanvasTakesMemoryWhereThereIsPaint) {
   // A dump: the guide once more, and for each cell a word and a bit for each of its 64 finer cells,
   // twice; chunks at work.
   Estimated dump({"a.h5"});
-  dump.survey.reached_share = 0.25;
+  dump.survey.reached_share = dump.survey.used_share = 0.25;
   dump.folder.write("a.jsonl", log_on(2560, 2048, "smooth"));
   EXPECT_EQ(dump.memory(), 75 * kMB + kLarge / 4 * (3 * 13 + 24) * 4);  // a copy, and the file
   dump.job.detail = 8;
