@@ -73,8 +73,10 @@ void AwakeTiles::tilt(double lateral_m_s2, std::int64_t step) {
 void AwakeTiles::look() {
   std::vector<std::uint8_t> used(tiles_.size(), 0);
   std::transform(tiles_.begin(), tiles_.end(), used.begin(), [&](const Tile& tile) {
+    // On a flat canvas a pool of thin paint may move for minutes.
+    const bool runs = tile.settling_steps > kSettlingSteps;
     return tile.touched >= 0 &&
-           tile.touched + tile.settling_steps >= last_touch_ - 2 * kStepsOfLook;
+           (runs || tile.touched + tile.settling_steps >= last_touch_ - 2 * kStepsOfLook);
   });
   const auto count = std::count(used.begin(), used.end(), std::uint8_t{1});
   if (count <= most_used_) return;
