@@ -112,7 +112,9 @@ def run(fuzzer, target, corpus, finds, options):
             arguments.insert(0, f"-runs={options.runs}")
         before = cpu_s()
         done = call(fuzzer, target, arguments)
-        tally.add(done.stderr, cpu_s() - before)
+        # While an input hangs nothing is tried: that time does not count.
+        hung_s = longest_s if "libFuzzer: timeout" in done.stderr else 0
+        tally.add(done.stderr, max(0, cpu_s() - before - hung_s))
         seed += 1
         if done.returncode == 0:
             if options.runs:
