@@ -11,4 +11,9 @@ namespace pentimento {
 /// alone, as that of calloc is; where the system cannot take it back, nothing happens.
 void give_back(void* begin, std::size_t bytes);
 
+/// Steps of a simulation from one giving back to the next: three seconds of painting. To take a
+/// page again costs about as much as to compute its cells once, so a page that is used all the time
+/// stays.
+inline constexpr int kStepsBetweenGivingBack = 128;
+
 }  // namespace pentimento

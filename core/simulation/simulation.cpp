@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/finite.h"
+#include "core/base/give_back.h"
 #include "core/brush/held_brush.h"
 #include "core/brush/transfer.h"
 #include "core/canvas/canvas_source.h"
@@ -17,9 +18,6 @@
 namespace pentimento {
 
 namespace {
-// As the workspace of the fluid does (RestingTiles): what the brush left is zeros after a step.
-constexpr std::int64_t kStepsBetweenGivingBack = 128;
-
 struct TouchState {
   explicit TouchState(int channels) : reservoir(channels) {}
   Reservoir reservoir;
@@ -324,6 +322,7 @@ bool Simulation::step() {
   const bool moved = m.scheme->step(m.state, in);
   if (m.listener != nullptr) m.listener->stepped(m.state, in);
   pentimento::clear(m.contact);
+  // What the brush left is zeros again.
   if (PlaneMemory::leaves_out(m.state.geometry.width, m.state.geometry.height) &&
       m.state.step % kStepsBetweenGivingBack == 0)
     give_back(m.contact);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "core/fluid/conservative/tiles/resting_tiles.h"
+#include "core/base/give_back.h"
 
 namespace pentimento {
 
@@ -14,7 +14,6 @@ constexpr std::int64_t kSettlingSteps = 9, kRunningSteps = 45;
 constexpr float kThinPigment = 0.3f;
 constexpr double kWakingTilt_m_s2 = 0.3;  // more than this along the canvas, and all paint moves
 constexpr int kSide = 32;                 // cells
-constexpr std::int64_t kStepsOfLook = conservative::RestingTiles::kStepsBetween;
 
 int tiles_along(int cells) {
   return (cells + kSide - 1) / kSide;
@@ -40,7 +39,7 @@ AwakeTiles::AwakeTiles(const CanvasGeometry& grid)
 void AwakeTiles::touch(int x, int y, const PaintedCells& touch) {
   if (touch.step >= next_look_) {
     look();
-    next_look_ = (touch.step / kStepsOfLook + 1) * kStepsOfLook;
+    next_look_ = (touch.step / kStepsBetweenGivingBack + 1) * kStepsBetweenGivingBack;
   }
   last_touch_ = touch.step;
   const auto at = static_cast<std::size_t>(y / kSide * columns_ + x / kSide);
@@ -75,8 +74,8 @@ void AwakeTiles::look() {
   std::transform(tiles_.begin(), tiles_.end(), used.begin(), [&](const Tile& tile) {
     // On a flat canvas a pool of thin paint may move for minutes.
     const bool runs = tile.settling_steps > kSettlingSteps;
-    return tile.touched >= 0 &&
-           (runs || tile.touched + tile.settling_steps >= last_touch_ - 2 * kStepsOfLook);
+    return tile.touched >= 0 && (runs || tile.touched + tile.settling_steps >=
+                                             last_touch_ - 2 * kStepsBetweenGivingBack);
   });
   const auto count = std::count(used.begin(), used.end(), std::uint8_t{1});
   if (count <= most_used_) return;

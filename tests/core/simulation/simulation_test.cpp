@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/give_back.h"
 #include "core/brush/builtin_brushes.h"
 #include "tests/core/base/resident_memory.h"
 #include "tests/core/simulation/strokes.h"
@@ -355,6 +356,27 @@ TEST(Simulation, ABareCanvasOfSmoothPaperTakesNoMemory) {
   EXPECT_LT(resident_mib() - before_mib, most_mib);
   sim.clear();
   EXPECT_LT(resident_mib() - before_mib, most_mib);
+}
+
+TEST(Simulation, ALargeCanvasGivesBackWhatTheBrushUsedNowAndThen) {
+  if (is_marked_when_given()) GTEST_SKIP();
+  Simulation sim(setup_of(2560, 1, SchemeKind::kConservative), Threads(2));
+  const auto touch_it_all = [&] {
+    sim.begin_stroke(0, 1);
+    Stamp stamp;
+    stamp.x_m = 0.1;
+    stamp.y_m = 0.075;
+    stamp.diameter_m = 0.2f;
+    stamp.pressure = 1;
+    sim.stamp(0, stamp);
+    sim.end_stroke(0);
+    sim.step();
+    return resident_mib();
+  };
+  sim.skip(kStepsBetweenGivingBack);
+  const long given_back_mib = touch_it_all();
+  // In the next step all else is there; of the contact's five planes of 19 MiB two thirds are used.
+  EXPECT_GT(touch_it_all() - given_back_mib, 40);
 }
 
 TEST(Simulation, ClearGivesAFreshCanvasAndNewBooks) {

@@ -1,11 +1,13 @@
 #include "core/fluid/conservative/tiles/resting_tiles.h"
 
+#include "core/base/give_back.h"
+
 namespace pentimento::conservative {
 
 std::vector<CellBox> RestingTiles::find(const SleepTiles& tiles) {
   used_.resize(static_cast<std::size_t>(tiles.count()), 0);
   for (const int tile : tiles.awake_tiles()) used_[static_cast<std::size_t>(tile)] = 1;
-  if (++steps_ < kStepsBetween) return {};
+  if (++steps_ < kStepsBetweenGivingBack) return {};
   steps_ = 0;
   std::vector<CellBox> boxes;
   for (int row = 0; row < tiles.rows(); ++row) {

@@ -1,8 +1,6 @@
 #pragma once
 // Tiles whose memory goes back to the system: on a large canvas paint moves here and there, and
-// most of what was once awake sleeps. Its workspace holds zeros, which need no memory. To give it
-// back and take it again costs about as much as a step of the tile does, so it is looked at now and
-// then only.
+// most of what was once awake sleeps. Its workspace holds zeros, which need no memory.
 
 #include <cstdint>
 #include <vector>
@@ -14,12 +12,9 @@ namespace pentimento::conservative {
 
 class RestingTiles {
  public:
-  /// Steps from one look to the next: three seconds of painting.
-  static constexpr int kStepsBetween = 128;
-
-  /// Call it once a step, when it is known who is awake. Every kStepsBetween steps: boxes of tiles
-  /// that sleep, side by side as many as there are in a row of tiles, if one of them was awake
-  /// since it was last in a box. Else none.
+  /// Call it once a step, when it is known who is awake. Every kStepsBetweenGivingBack steps: boxes
+  /// of tiles that sleep, side by side as many as there are in a row of tiles, if one of them was
+  /// awake since it was last in a box. Else none.
   std::vector<CellBox> find(const SleepTiles& tiles);
 
  private:

@@ -2,8 +2,8 @@
 
 #include <cstring>
 
+#include "core/base/give_back.h"
 #include "core/fluid/conservative/solve/workspace.h"
-#include "core/fluid/conservative/tiles/resting_tiles.h"
 #include "tests/core/base/resident_memory.h"
 #include "tests/core/fluid/conservative/basin.h"
 
@@ -40,8 +40,8 @@ TEST(LargeCanvas, GivesBackTheMemoryOfWhatSleepsAndPaintsAsASmallOneDoes) {
   large.steps(1);  // all is awake once
   const long before_mib = resident_mib();
   // It runs over, rests, and is left alone for long enough; ...
-  small.steps(4 * RestingTiles::kStepsBetween);
-  large.steps(4 * RestingTiles::kStepsBetween);
+  small.steps(4 * kStepsBetweenGivingBack);
+  large.steps(4 * kStepsBetweenGivingBack);
   EXPECT_TRUE(same_part(small, large));
   // 21 planes of work and seven of the solver, of 20 MiB each.
   if (!is_marked_when_given()) {

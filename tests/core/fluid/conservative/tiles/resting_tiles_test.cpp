@@ -4,6 +4,8 @@
 
 #include <set>
 
+#include "core/base/give_back.h"
+
 namespace pentimento::conservative {
 namespace {
 
@@ -45,7 +47,7 @@ std::vector<std::vector<int>> after(int steps, RestingTiles& resting, const Slee
 }
 
 TEST(RestingTiles, AreFoundOnceAfterTheyWereAwakeAndAsFarAsSleepGoes) {
-  constexpr int kSteps = RestingTiles::kStepsBetween;
+  constexpr int kSteps = kStepsBetweenGivingBack;
   using Boxes = std::vector<std::vector<int>>;
   ChangingSleep sleep;
   RestingTiles resting;
