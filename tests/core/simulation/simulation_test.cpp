@@ -360,7 +360,8 @@ TEST(Simulation, ABareCanvasOfSmoothPaperTakesNoMemory) {
 
 TEST(Simulation, ALargeCanvasGivesBackWhatTheBrushUsedNowAndThen) {
   if (is_marked_when_given()) GTEST_SKIP();
-  Simulation sim(setup_of(2560, 1, SchemeKind::kConservative), Threads(2));
+  const Threads threads(2);
+  Simulation sim(setup_of(2560, 1, SchemeKind::kConservative), threads);
   const auto touch_it_all = [&] {
     sim.begin_stroke(0, 1);
     Stamp stamp;
