@@ -31,7 +31,7 @@ install(FILES ${CMAKE_BINARY_DIR}/pentimentoConfig.cmake ${CMAKE_BINARY_DIR}/pen
 # OpenEXR, and those which include them. tests/install checks that no other header needs more.
 set(private_headers
   functions objects library context gl_limits lamp_uniforms picture_job shade_program strip_writer
-  chunked dump_source packed_chunks handle lighting_parts detail_checkpoint output_driver read_canvas read_dump read_small sleep write_canvas write_small
+  chunked dump_source global_heap input_driver packed_chunks handle lighting_parts detail_checkpoint output_driver read_canvas read_dump read_small sleep write_canvas write_small
   chromaticities stream typed_attribute)
 list(JOIN private_headers | private_names)
 install(DIRECTORY core formats replay DESTINATION ${header_dir} COMPONENT development FILES_MATCHING PATTERN "*.h"

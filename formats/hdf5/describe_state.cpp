@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "formats/hdf5/handle.h"
+#include "formats/hdf5/input_driver.h"
 #include "formats/hdf5/objects.h"
 #include "formats/hdf5/read_small.h"
 #include "formats/hdf5/rehearsal.h"
@@ -36,7 +37,7 @@ Provenance whole_checkpoint(hid_t file, hid_t root) {
 
 Result<FileDescription> describe_here(const std::string& path) {
   const hdf5::Silence silence;
-  const hdf5::Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+  const hdf5::Handle file = hdf5::open_to_read(path);
   if (!file.ok()) return Error{ErrorCode::kBadInput, path + ": a damaged or cut short HDF5 file"};
   const hdf5::Handle root(H5Gopen2(file.id(), "/", H5P_DEFAULT), H5Gclose);
   if (hdf5::text_attribute(root.id(), "format") != kStateFormat)

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "formats/hdf5/handle.h"
+#include "formats/hdf5/input_driver.h"
 #include "formats/hdf5/objects.h"
 #include "formats/hdf5/read_dump.h"
 #include "formats/hdf5/rehearsal.h"
@@ -30,7 +31,7 @@ Result<void> check_signature(const std::string& path) {
 Result<StateDump> read_here(const std::string& path, bool whole, const hdf5::Rehearsal& rehearsal,
                             const DumpReadOptions& options) {
   const hdf5::Silence silence;
-  const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+  const Handle file = hdf5::open_to_read(path);
   if (!file.ok()) return Error{ErrorCode::kBadInput, path + ": a damaged or cut short HDF5 file"};
   return hdf5::read_dump({file.id(), path, rehearsal, options.cancelled, options.threads}, whole);
 }

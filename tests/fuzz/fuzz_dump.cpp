@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/simulation/simulation.h"
+#include "formats/hdf5/input_driver.h"
 #include "formats/hdf5/objects.h"
 #include "formats/hdf5/read_dump.h"
 #include "formats/hdf5/read_small.h"
@@ -116,7 +117,7 @@ void fuzz_dump(std::string_view bytes) {
   const IgnoreLibraryLeaks ignore;
   const hdf5::Silence silence;
   hdf5::load_no_filters();
-  const hdf5::Handle file = open_dump_image(bytes);
+  const hdf5::Handle file = hdf5::open_to_read(kFuzzName, access_to_image(bytes).id());
   if (!file.ok()) return;
   Result<StateDump> dump = read(file.id());
   if (!dump) return check_problem(dump.error(), kFuzzName);
