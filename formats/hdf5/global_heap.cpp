@@ -40,7 +40,7 @@ bool is_endless_heap(std::span<const std::byte> bytes) {
   const std::uint64_t end = std::min<std::uint64_t>(heap_bytes, bytes.size());
   std::uint64_t at = kHeaderBytes;
   // What is left after the last object may be too small for a header; the library takes it as free.
-  while (at + kObjectHeader <= end) {
+  while (at <= end && end - at >= kObjectHeader) {
     const std::uint64_t left = heap_bytes - at;
     const std::uint64_t size = number_at(bytes, at + kObjectSizeAt, 8);
     if (size > left) return true;

@@ -58,6 +58,11 @@ TEST(GlobalHeap, OfOneThatGoesOnTheBeginningIsLookedAt) {
   EXPECT_TRUE(endless(header(8192) + object(1, 8, std::string(8, 'a')) + object(0, 0)));
 }
 
+TEST(GlobalHeap, ASizeNearTheLargestNumberLeadsNowhere) {
+  // The free room ends where sixteen bytes more are past the largest number.
+  EXPECT_FALSE(endless(header(~std::uint64_t{0}) + object(0, ~std::uint64_t{0} - 16)));
+}
+
 TEST(GlobalHeap, OtherBytesAreNone) {
   EXPECT_FALSE(endless(""));
   EXPECT_FALSE(endless("GCOL"));
