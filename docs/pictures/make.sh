@@ -1,7 +1,7 @@
 #!/bin/sh
 # Renders the pictures of docs/light.md, docs/cli.md and docs/gallery.md (all but those of the samples).
 # usage: docs/pictures/make.sh PENTIMENTO [light|debug|table-2|eight-times]...
-# Without names: light and debug, a minute; table-2 takes minutes, eight-times a quarter of an hour.
+# Without names: light and debug, a minute; table-2 takes minutes, eight-times one.
 set -eu
 command=$(realpath "$1")
 shift
