@@ -40,8 +40,8 @@ Result<FileDescription> describe_here(const std::string& path) {
   const hdf5::Handle file = hdf5::open_to_read(path);
   if (!file.ok()) return Error{ErrorCode::kBadInput, path + ": a damaged or cut short HDF5 file"};
   const hdf5::Handle root(H5Gopen2(file.id(), "/", H5P_DEFAULT), H5Gclose);
-  if (hdf5::text_attribute(root.id(), "format") != kStateFormat)
-    return Error{ErrorCode::kBadInput, path + ": an HDF5 file, but not a state dump"};
+  if (const std::string problem = hdf5::format_problem(root.id()); !problem.empty())
+    return Error{ErrorCode::kBadInput, path + ": " + problem};
   const auto shape = hdf5::dataset_shape(file.id(), "/layers/pigment");
   constexpr std::uint64_t kMost = std::uint64_t{1} << 30;
   if (!shape || shape->size() != 4 || *std::max_element(shape->begin(), shape->end()) > kMost)

@@ -133,8 +133,8 @@ Result<std::vector<std::string>> StateReader::names(const std::string& name) con
 }
 
 Result<void> StateReader::check_format() const {
-  if (hdf5::text_attribute(root_.id(), "format") != kStateFormat)
-    return bad("an HDF5 file, but not a state dump");
+  if (const std::string problem = hdf5::format_problem(root_.id()); !problem.empty())
+    return bad(problem);
   const std::optional<std::int64_t> version = hdf5::whole_attribute(root_.id(), "format_version");
   if (!version || *version < 1) return missing("format_version");
   if (*version > kStateVersion)

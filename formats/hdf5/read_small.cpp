@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "formats/hdf5/objects.h"
+#include "formats/hdf5/state_dump.h"
 #include "formats/io/utf8.h"
 
 namespace pentimento::hdf5 {
@@ -19,6 +20,13 @@ Handle open_attribute(hid_t object, const std::string& name) {
 bool is_scalar(hid_t attribute) {
   const Handle space(H5Aget_space(attribute), H5Sclose);
   return space.ok() && H5Sget_simple_extent_npoints(space.id()) == 1;
+}
+
+/// Whether it is one string, be it readable or not.
+bool holds_text(const Handle& attribute) {
+  if (!attribute.ok() || !is_scalar(attribute.id())) return false;
+  const Handle type(H5Aget_type(attribute.id()), H5Tclose);
+  return H5Tget_class(type.id()) == H5T_STRING;
 }
 
 /// A copy of the file's own string type, so that no character set has to be converted.
@@ -77,9 +85,8 @@ bool has_attribute(hid_t object, const std::string& name) {
 
 std::optional<std::string> text_attribute(hid_t object, const std::string& name) {
   const Handle attribute = open_attribute(object, name);
-  if (!attribute.ok() || !is_scalar(attribute.id())) return std::nullopt;
+  if (!holds_text(attribute)) return std::nullopt;
   const Handle type(H5Aget_type(attribute.id()), H5Tclose);
-  if (H5Tget_class(type.id()) != H5T_STRING) return std::nullopt;
   return H5Tis_variable_str(type.id()) > 0 ? variable_text(attribute.id(), type.id())
                                            : fixed_text(attribute.id(), type.id());
 }
@@ -90,6 +97,14 @@ std::optional<double> number_attribute(hid_t object, const std::string& name) {
 
 std::optional<std::int64_t> whole_attribute(hid_t object, const std::string& name) {
   return scalar<std::int64_t>(object, name, H5T_NATIVE_INT64);
+}
+
+std::string format_problem(hid_t root) {
+  const std::optional<std::string> format = text_attribute(root, "format");
+  if (format == kStateFormat) return {};
+  if (!format && holds_text(open_attribute(root, "format")))
+    return "a damaged HDF5 file: what it says of its format cannot be read";
+  return "an HDF5 file, but not a state dump";
 }
 
 Provenance text_attributes(hid_t object) {

@@ -21,6 +21,9 @@ std::optional<std::string> text_attribute(hid_t object, const std::string& name)
 std::optional<double> number_attribute(hid_t object, const std::string& name);
 std::optional<std::int64_t> whole_attribute(hid_t object, const std::string& name);
 
+/// Why a file with this root is no state dump that can be read; empty if it says that it is one.
+std::string format_problem(hid_t root);
+
 /// All attributes of `object` that are text, by name.
 Provenance text_attributes(hid_t object);
 

@@ -29,6 +29,12 @@ TEST_F(BadDump, ANewerVersionIsNamed) {
 
 TEST_F(BadDump, OtherHdf5IsNoDump) {
   EXPECT_EQ(after([](hid_t f) { H5Adelete(f, "format"); }), "an HDF5 file, but not a state dump");
+  const auto with_a_number = [](hid_t f) {
+    H5Adelete(f, "format");
+    const Handle one(H5Screate(H5S_SCALAR), H5Sclose);
+    H5Aclose(H5Acreate2(f, "format", H5T_NATIVE_DOUBLE, one.id(), H5P_DEFAULT, H5P_DEFAULT));
+  };
+  EXPECT_EQ(after(with_a_number), "an HDF5 file, but not a state dump");
 }
 
 TEST_F(BadDump, AMissingDatasetIsNamed) {

@@ -46,7 +46,7 @@ TEST_F(GuardedDump, ATextInAHeapWithoutEndCannotBeRead) {
 TEST_F(GuardedDump, AHeapWithoutEndIsToldAtOnce) {
   // Without the guard the child that reads the dump first would be ended after its minute.
   break_heaps();
-  EXPECT_EQ(after([](hid_t) {}), "an HDF5 file, but not a state dump");
+  EXPECT_EQ(after([](hid_t) {}), "a damaged HDF5 file: what it says of its format cannot be read");
   EXPECT_EQ(code_, ErrorCode::kBadInput);
 }
 
