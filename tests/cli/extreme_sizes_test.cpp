@@ -31,6 +31,10 @@ TEST(ExtremeGrids, OfOneCellAndOfTheLongestSideArePainted) {
     EXPECT_EQ(ran.code, 0) << width << " x " << height << ": " << ran.err;
     EXPECT_EQ(place.run("info a.png").out.find(std::string("png, ") + width + " x " + height), 0U);
     EXPECT_EQ(place.run("relight a.h5 -o b.png --quiet").code, 0) << width << " x " << height;
+    // There is paint on it, which there is none of at the beginning.
+    place.run("render a.jsonl -o bare.png --at 0 --quiet");
+    EXPECT_EQ(place.run("compare a.png b.png").code, 0) << width << " x " << height;
+    EXPECT_EQ(place.run("compare a.png bare.png").code, 1) << width << " x " << height;
   }
 }
 
