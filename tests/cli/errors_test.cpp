@@ -187,7 +187,7 @@ TEST(CommandErrors, ALogStaysInItsFolder) {
 TEST(CommandErrors, ABrokenPictureOfEachKindIsOneLine) {
   Workplace place;
   place.write("load.jsonl", kSmallLog + R"({"t":2,"type":"load","file":"x"})" + "\n");
-  const std::string corpus = std::string(PENTIMENTO_SOURCE_DIR) + "/tests/fuzz/corpus/picture/";
+  const std::string corpus = std::string(PENTIMENTO_SOURCE_DIR) + "/tests/corpus/fuzz/picture/";
   for (const char* name : {"small.jpg", "flat.hdr", "small.tiff", "rgba.png", "aov-half.exr"}) {
     const std::string whole = slurp(corpus + name);
     ASSERT_FALSE(whole.empty()) << name;

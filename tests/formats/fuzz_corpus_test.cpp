@@ -15,7 +15,7 @@
 namespace pentimento::test {
 namespace {
 
-const std::filesystem::path kCorpus = PENTIMENTO_SOURCE_DIR "/tests/fuzz/corpus";
+const std::filesystem::path kCorpus = PENTIMENTO_SOURCE_DIR "/tests/corpus/fuzz";
 
 /// Whether the bytes of an input are a file. Else they are choices, and any bytes are as good.
 bool reads_files(const std::string& target) {

@@ -105,9 +105,6 @@ def run(fuzzer, target, corpus, finds, options):
         arguments = [*LIMITS, f"-timeout={longest_s}", *MORE.get(target, ["-max_len=65536"]),
                      f"-max_total_time={int(left) + 1}", f"-seed={seed}",
                      f"-artifact_prefix={finds / target}-", str(new), str(corpus / target)]
-        dictionary = corpus.parent / "words" / f"{target}.txt"
-        if dictionary.exists():
-            arguments.insert(0, f"-dict={dictionary}")
         if options.runs:
             arguments.insert(0, f"-runs={options.runs}")
         before = cpu_s()

@@ -105,7 +105,7 @@ TEST_F(DecodeTiff, IsWhatOpenCvReads) {
        {"small.tiff", "deflated.tiff", "grey16.tiff", "palette.tiff", "jpeg-in.tiff"}) {
     SCOPED_TRACE(name);
     const std::string path =
-        std::string(PENTIMENTO_SOURCE_DIR) + "/tests/fuzz/corpus/picture/" + name;
+        std::string(PENTIMENTO_SOURCE_DIR) + "/tests/corpus/fuzz/picture/" + name;
     const Result<Image> image = read_image(path, {SampleMeaning::kRaw, {}});
     ASSERT_TRUE(image) << image.error().message;
     test::expect_as_by_opencv(*image, path);
@@ -115,7 +115,7 @@ TEST_F(DecodeTiff, IsWhatOpenCvReads) {
 // OpenCV writes floats this way: logarithms of XYZ. The white of its matrix lies 3e-4 beside ours.
 TEST_F(DecodeTiff, LogarithmsOfLightAreLight) {
   const std::string path =
-      std::string(PENTIMENTO_SOURCE_DIR) + "/tests/fuzz/corpus/picture/float.tiff";
+      std::string(PENTIMENTO_SOURCE_DIR) + "/tests/corpus/fuzz/picture/float.tiff";
   const Result<Image> image = read_image(path);
   ASSERT_TRUE(image) << image.error().message;
   EXPECT_TRUE(image->stored_float);
@@ -279,7 +279,7 @@ TEST_F(DecodeTiff, AStripThatCannotBeUnpackedIsOneLine) {
 TEST_F(DecodeTiff, NoDamagePrintsAnything) {
   for (const char* name : {"small.tiff", "deflated.tiff", "palette.tiff", "jpeg-in.tiff"}) {
     const std::string sound =
-        test::slurp(std::string(PENTIMENTO_SOURCE_DIR) + "/tests/fuzz/corpus/picture/" + name);
+        test::slurp(std::string(PENTIMENTO_SOURCE_DIR) + "/tests/corpus/fuzz/picture/" + name);
     ASSERT_FALSE(sound.empty());
     for (std::size_t at = 4; at < sound.size(); ++at) {
       std::string damaged = sound;

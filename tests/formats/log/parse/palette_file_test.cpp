@@ -11,7 +11,7 @@ TEST(PaletteFile, WhatAnErrorQuotesIsOneShortLine) {
   // Found by the fuzzer: a number that is none of a computer's, after a name of bytes that are no
   // text.
   const std::string path =
-      PENTIMENTO_SOURCE_DIR "/tests/fuzz/corpus/palette/name-of-control-characters.bin";
+      PENTIMENTO_SOURCE_DIR "/tests/corpus/fuzz/palette/name-of-control-characters.bin";
   const auto palette = read_palette_file(path);
   ASSERT_FALSE(palette);
   EXPECT_EQ(palette.error().code, ErrorCode::kBadInput);
