@@ -3,14 +3,15 @@
 
 A library (tests/faults/fault_shim.cpp) makes the k-th call of a kind fail, once or from then on, for
 k = 1, 2, ... until a run completes without a fault; or kills the process before the k-th call that
-changes a file. After every run
+changes a file. For `files` the process may have so few files open, one more each time until a run completes.
+After every run
 
 - the process ended by itself, with exit code 0, 4 or 5 (a kill: by that);
 - it said why in one line;
 - each output holds its old bytes or the complete new ones, and the new ones if the code is 0;
 - no temporary file is left (a kill leaves some; the next run completes beside them).
 
-usage: faults.py COMMAND SHIM [--kinds write,sync,rename,thread,memory,kill] [--long] [--table]
+usage: faults.py COMMAND SHIM [--kinds write,sync,rename,thread,memory,files,kill] [--long] [--table]
 
 Without --long every kind tries a few k, the first and the last among them. --table prints a line for
 each kind, as docs/reliability.md has it.
@@ -19,6 +20,7 @@ each kind, as docs/reliability.md has it.
 import argparse
 import os
 import pathlib
+import resource
 import subprocess
 import sys
 import tempfile
@@ -32,10 +34,16 @@ JOBS = {
                ["a.png", "a.exr", "a.h5"]),
     "convert": (["convert", "a.jsonl", "-o", "b.jsonl.gz", "--quiet"], ["b.jsonl.gz"]),
 }
-KINDS = ("write", "sync", "rename", "thread", "memory", "kill")
+KINDS = ("write", "sync", "rename", "thread", "memory", "files", "kill")
 ENDS = {0, 4, 5}
 OLD = b"old"
 SLOWEST_S = 120  # a run that takes longer hangs
+FEWEST_FILES = 4  # with three, which are open at the start, no shared library is found
+MOST_FILES = 64  # a job that needs more at a time leaks them
+
+
+def limit_files(files):
+    resource.setrlimit(resource.RLIMIT_NOFILE, (files, files))
 
 
 class Place:
@@ -48,8 +56,8 @@ class Place:
         self.words, self.outputs = JOBS[job]
         (self.path / "a.jsonl").write_text(HEADER + STROKE)
 
-    def run(self, fault=None):
-        """(exit code, standard error, number of calls)"""
+    def run(self, fault=None, files=None):
+        """(exit code, standard error, number of calls); `files`: how many may be open at a time"""
         # Without shaders kept by runs before: every run makes the same calls.
         environment = dict(os.environ, LC_ALL="C", PENTIMENTO_CACHE="")
         count = self.path / "count"
@@ -59,7 +67,7 @@ class Place:
             (self.path / name).write_bytes(OLD)
         try:
             done = subprocess.run([self.command, *self.words], cwd=self.path, env=environment, capture_output=True,
-                                  timeout=SLOWEST_S)
+                                  timeout=SLOWEST_S, preexec_fn=files and (lambda: limit_files(files)))
             code, words = done.returncode, done.stderr.decode(errors="replace")
         except subprocess.TimeoutExpired:
             code, words = "hang", ""
@@ -116,6 +124,26 @@ def try_kind(place, reference, kind, mode, long):
     return calls, runs, codes, wrong
 
 
+def try_files(place, reference):
+    """(the limit that sufficed, runs, codes, what was wrong)"""
+    codes, wrong = {}, []
+    limit, code = FEWEST_FILES - 1, None
+    while code != 0:
+        limit += 1
+        code, words, _ = place.run(files=limit)
+        codes[code] = codes.get(code, 0) + 1
+        wrong += [f"files {limit}: {text}" for text in problems(place, reference, code, words, killed=False)]
+        if limit > MOST_FILES:
+            wrong.append(f"files {limit}: not enough")
+            break
+    return limit, limit - FEWEST_FILES + 1, codes, wrong
+
+
+def modes(kind):
+    """How a fault of a kind comes."""
+    return {"kill": ("kill",), "files": ("limit",)}.get(kind, ("once", "on"))
+
+
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("command")
@@ -132,8 +160,9 @@ def main():
         if code != 0 or OLD in reference.values():
             sys.exit(f"{job}: the plain run ended with {code}: {words}")
         for kind in options.kinds.split(","):
-            for mode in ("kill",) if kind == "kill" else ("once", "on"):
-                calls, runs, codes, found = try_kind(place, reference, kind, mode, options.long)
+            for mode in modes(kind):
+                calls, runs, codes, found = (try_files(place, reference) if kind == "files" else
+                                             try_kind(place, reference, kind, mode, options.long))
                 wrong += [f"{job}: {text}" for text in found]
                 if options.table:
                     ends = ", ".join(f"{n} x {code}" for code, n in sorted(codes.items(), key=str))
