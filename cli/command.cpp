@@ -1,12 +1,16 @@
 #include "cli/command.h"
 
+#include <unistd.h>
+
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <cerrno>
 #include <cstdio>
 #include <string_view>
 
 #include "cli/describe.h"
+#include "formats/io/stream_write.h"
 #include "formats/io/utf8.h"
 #include "formats/log/json/nearest_name.h"
 
@@ -72,9 +76,9 @@ std::optional<int> parse(CLI::App& app, const Arguments& arguments) {
 }
 
 int print(const std::string& text) {
-  const bool written =
-      std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
-  if (written) return 0;
+  const int error_number = write_to_stream(STDOUT_FILENO, text.data(), text.size());
+  if (error_number == 0) return 0;
+  if (error_number == EINTR) return fail({ErrorCode::kInterrupted, "interrupted"});
   return fail({ErrorCode::kIo, "standard output cannot be written"});
 }
 

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "cli/command.h"
+#include "cli/crash_report.h"
 
 namespace pentimento::cli {
 
@@ -41,6 +42,7 @@ bool has_large_stack() {
 }  // namespace
 
 int guarded(const std::function<int()>& command) {
+  report_crashes();
   try {
     return command();
   } catch (const std::bad_alloc&) {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <memory>
 
-#include "core/base/check.h"
+#include "core/base/require_memory.h"
 
 namespace pentimento {
 
@@ -41,7 +41,7 @@ IccCurve curve_of(ColorProfile profile) {
 void write_text(const IccHandle& profile, cmsTagSignature tag, std::string_view text) {
   const std::unique_ptr<cmsMLU, FreeText> words(cmsMLUalloc(nullptr, 1));
   cmsMLUsetASCII(words.get(), "en", "US", std::string(text).c_str());
-  PENTIMENTO_CHECK(cmsWriteTag(profile.get(), tag, words.get()) != 0);
+  require_memory(cmsWriteTag(profile.get(), tag, words.get()) != 0);
 }
 
 IccHandle make(ColorProfile of) {
@@ -52,7 +52,7 @@ IccHandle make(ColorProfile of) {
   const IccCurve curve = curve_of(of);
   cmsToneCurve* curves[] = {curve.get(), curve.get(), curve.get()};
   IccHandle profile(cmsCreateRGBProfile(&white, &primaries, curves));
-  PENTIMENTO_CHECK(profile != nullptr);
+  require_memory(profile != nullptr);
   cmsSetProfileVersion(profile.get(), kVersion);
   write_text(profile, cmsSigProfileDescriptionTag, profile_title(of));
   write_text(profile, cmsSigCopyrightTag, "No copyright, use freely");
@@ -61,9 +61,9 @@ IccHandle make(ColorProfile of) {
 
 std::vector<std::uint8_t> bytes_of(const IccHandle& profile) {
   cmsUInt32Number size = 0;
-  PENTIMENTO_CHECK(cmsSaveProfileToMem(profile.get(), nullptr, &size) != 0);
+  require_memory(cmsSaveProfileToMem(profile.get(), nullptr, &size) != 0);
   std::vector<std::uint8_t> bytes(size);
-  PENTIMENTO_CHECK(cmsSaveProfileToMem(profile.get(), bytes.data(), &size) != 0);
+  require_memory(cmsSaveProfileToMem(profile.get(), bytes.data(), &size) != 0);
   return bytes;
 }
 
@@ -110,7 +110,7 @@ std::vector<std::uint8_t> icc_profile(ColorProfile profile) {
   constexpr std::array<std::uint8_t, kDateBytes> kDate = {7, 0xE8, 0, 1, 0, 1};  // 2024-01-01
   std::copy(kDate.begin(), kDate.end(), bytes.begin() + kDateOffset);
   const IccHandle dated = open(bytes);
-  PENTIMENTO_CHECK(dated != nullptr && cmsMD5computeID(dated.get()) != 0);
+  require_memory(dated != nullptr && cmsMD5computeID(dated.get()) != 0);
   return bytes_of(dated);
 }
 

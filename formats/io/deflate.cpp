@@ -3,6 +3,7 @@
 #include <zlib.h>
 
 #include "core/base/check.h"
+#include "core/base/require_memory.h"
 
 namespace pentimento {
 
@@ -24,7 +25,7 @@ void deflate_piece(std::span<const std::uint8_t> bytes, bool last, int level, Re
   z_stream stream = {};
   constexpr int kRaw = -15;  // no zlib header, window 32 KiB
   const int strategy = repeats == Repeats::kRuns ? Z_RLE : Z_DEFAULT_STRATEGY;
-  PENTIMENTO_CHECK(deflateInit2(&stream, level, Z_DEFLATED, kRaw, 9, strategy) == Z_OK);
+  require_memory(deflateInit2(&stream, level, Z_DEFLATED, kRaw, 9, strategy) == Z_OK);
   stream.next_in = const_cast<Bytef*>(bytes.data());  // the library only reads
   stream.avail_in = static_cast<uInt>(bytes.size());
   std::size_t used = out.size();

@@ -16,6 +16,7 @@
 #include "formats/io/file_place.h"
 #include "formats/io/part_file.h"
 #include "formats/io/sha256.h"
+#include "formats/io/temporaries.h"
 
 namespace pentimento {
 
@@ -57,8 +58,10 @@ Result<std::unique_ptr<FileLock>> FileLock::take(const std::string& target) {
       if (error_number != EWOULDBLOCK) return failed(target, error_number);
       return Error{ErrorCode::kUsage, fmt::format("-o {}: another run is writing it", target)};
     }
-    if (is_still_named(path, descriptor))
+    if (is_still_named(path, descriptor)) {
+      note_temporary(path);
       return std::unique_ptr<FileLock>(new FileLock(path, descriptor));
+    }
     ::close(descriptor);
   }
 }
@@ -79,6 +82,7 @@ void FileLock::remove_stale(const std::string& folder) {
 }
 
 FileLock::~FileLock() {
+  forget_temporary(path_);  // first: once it is removed, the name may be another run's
   // Removed while it is held: whoever opened it meanwhile finds that it has lost its name.
   ::unlink(path_.c_str());
   ::close(descriptor_);

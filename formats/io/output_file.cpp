@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -13,6 +12,7 @@
 
 #include "formats/io/file_place.h"
 #include "formats/io/part_file.h"
+#include "formats/io/stream_write.h"
 #include "formats/io/temporaries.h"
 
 namespace pentimento {
@@ -36,17 +36,11 @@ int open_pipe(const std::string& path) {
   return -1;
 }
 
-/// Writes all bytes; returns 0 or errno. The reader of a stream may never go on reading, so a
-/// signal ends it (EINTR).
-int write_all(int descriptor, const std::uint8_t* bytes, std::size_t count, bool is_stream) {
+/// Writes all bytes to a file; returns 0 or errno.
+int write_all(int descriptor, const std::uint8_t* bytes, std::size_t count) {
   while (count > 0) {
     const ssize_t n = ::write(descriptor, bytes, count);
-    if (n < 0 && errno == EINTR && !is_stream) continue;
-    if (n < 0 && errno == EAGAIN) {
-      pollfd waiting{descriptor, POLLOUT, 0};
-      if (::poll(&waiting, 1, -1) < 0) return errno;
-      continue;
-    }
+    if (n < 0 && errno == EINTR) continue;
     if (n < 0) return errno;
     if (n == 0) return EIO;
     bytes += n;
@@ -58,10 +52,10 @@ int write_all(int descriptor, const std::uint8_t* bytes, std::size_t count, bool
 }  // namespace
 
 Error OutputFile::io_error(int error_number) const {
-  if (error_number == EINTR) return {ErrorCode::kInterrupted, path_ + ": interrupted"};
-  if (error_number == ENXIO) return {ErrorCode::kIo, path_ + ": nobody reads this pipe"};
-  return {ErrorCode::kIo, fmt::format("{}: {}", path_ == "-" ? "standard output" : path_,
-                                      std::strerror(error_number))};
+  const std::string name = path_ == "-" ? "standard output" : path_;
+  if (error_number == EINTR) return {ErrorCode::kInterrupted, name + ": interrupted"};
+  if (error_number == ENXIO) return {ErrorCode::kIo, name + ": nobody reads this pipe"};
+  return {ErrorCode::kIo, fmt::format("{}: {}", name, std::strerror(error_number))};
 }
 
 Result<std::unique_ptr<OutputFile>> OutputFile::create(const std::string& path, bool no_clobber) {
@@ -125,7 +119,8 @@ void OutputFile::write(const void* bytes, std::size_t count) {
 
 void OutputFile::flush() {
   if (!failed())
-    error_number_ = write_all(descriptor_, buffer_.data(), buffer_.size(), is_stream());
+    error_number_ = is_stream() ? write_to_stream(descriptor_, buffer_.data(), buffer_.size())
+                                : write_all(descriptor_, buffer_.data(), buffer_.size());
   if (sequential_) written_.update(buffer_.data(), buffer_.size());
   buffer_.clear();
 }

@@ -3,26 +3,27 @@
 #include <openssl/evp.h>
 
 #include "core/base/check.h"
+#include "core/base/require_memory.h"
 
 namespace pentimento {
 
 struct Sha256::Digest {
   EVP_MD_CTX* context = EVP_MD_CTX_new();
-  Digest() { PENTIMENTO_CHECK(context != nullptr); }
+  Digest() { require_memory(context != nullptr); }
   ~Digest() { EVP_MD_CTX_free(context); }
   Digest(const Digest&) = delete;
   Digest& operator=(const Digest&) = delete;
 };
 
 Sha256::Sha256() : digest_(std::make_unique<Digest>()) {
-  PENTIMENTO_CHECK(EVP_DigestInit_ex(digest_->context, EVP_sha256(), nullptr) == 1);
+  require_memory(EVP_DigestInit_ex(digest_->context, EVP_sha256(), nullptr) == 1);
 }
 Sha256::~Sha256() = default;
 Sha256::Sha256(Sha256&&) noexcept = default;
 Sha256& Sha256::operator=(Sha256&&) noexcept = default;
 
 void Sha256::update(const void* bytes, std::size_t count) {
-  PENTIMENTO_CHECK(EVP_DigestUpdate(digest_->context, bytes, count) == 1);
+  require_memory(EVP_DigestUpdate(digest_->context, bytes, count) == 1);
 }
 
 Sha256Bytes Sha256::bytes() const {
@@ -30,8 +31,8 @@ Sha256Bytes Sha256::bytes() const {
   Digest copy;
   Sha256Bytes bytes{};
   unsigned int count = 0;
-  PENTIMENTO_CHECK(EVP_MD_CTX_copy_ex(copy.context, digest_->context) == 1);
-  PENTIMENTO_CHECK(EVP_DigestFinal_ex(copy.context, bytes.data(), &count) == 1);
+  require_memory(EVP_MD_CTX_copy_ex(copy.context, digest_->context) == 1);
+  require_memory(EVP_DigestFinal_ex(copy.context, bytes.data(), &count) == 1);
   PENTIMENTO_CHECK(count == bytes.size());
   return bytes;
 }

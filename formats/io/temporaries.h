@@ -1,7 +1,7 @@
 #pragma once
-// The temporary files that this process has open, for the moment in which it must end at once: a
-// signal handler may remove files, but it can ask no object which. So this is a table of the
-// process, of a fixed size; what finds no place in it is left to the next run.
+// The temporary files and the locks that this process has open, for the moment in which it must end
+// at once: a signal handler may remove files, but it can ask no object which. So this is a table of
+// the process, of a fixed size; what finds no place in it is left to the next run.
 
 #include <string>
 

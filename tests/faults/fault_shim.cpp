@@ -4,7 +4,8 @@
 //   PENTIMENTO_FAULT=CALL:K:MODE   from the K-th call on (from 1)
 //     CALL  write (ENOSPC), sync (EIO), rename (EIO), memory (ENOMEM), thread (EAGAIN),
 //           publish (all calls that change a file or a folder; for MODE kill)
-//     MODE  once, on (this call and all after it), kill (SIGKILL before the call)
+//     MODE  once, on (this call and all after it), kill (SIGKILL before the call),
+//           hold (the call never ends; the number of calls is written when it begins)
 //   PENTIMENTO_FAULT_COUNT=FILE    gets the number of such calls when the process ends
 //   PENTIMENTO_FAULT_ROUNDING=1    the process starts rounding upwards and without denormals
 //
@@ -37,7 +38,7 @@ void* __libc_memalign(size_t, size_t);
 namespace {
 
 enum class Call { kNone, kWrite, kSync, kRename, kMemory, kThread, kPublish };
-enum class Mode { kOnce, kOn, kKill };
+enum class Mode { kOnce, kOn, kKill, kHold };
 
 struct Plan {
   Call call = Call::kNone;
@@ -76,13 +77,14 @@ __attribute__((constructor)) void begin() {
   plan.call = call_of(text, static_cast<size_t>(colon - text));
   plan.first = std::strtol(colon + 1, nullptr, 10);
   const char* mode = std::strrchr(text, ':') + 1;
-  plan.mode = std::strcmp(mode, "kill") == 0 ? Mode::kKill
-              : std::strcmp(mode, "on") == 0 ? Mode::kOn
-                                             : Mode::kOnce;
+  plan.mode = std::strcmp(mode, "kill") == 0   ? Mode::kKill
+              : std::strcmp(mode, "hold") == 0 ? Mode::kHold
+              : std::strcmp(mode, "on") == 0   ? Mode::kOn
+                                               : Mode::kOnce;
   ready = true;
 }
 
-__attribute__((destructor)) void end() {
+__attribute__((destructor)) void tell_number_of_calls() {
   const char* path = std::getenv("PENTIMENTO_FAULT_COUNT");
   if (path == nullptr || !ready.exchange(false)) return;
   char text[32];
@@ -104,6 +106,10 @@ bool fails(Call call) {
   const long number = ++calls;
   if (plan.first <= 0 || number < plan.first) return false;
   if (plan.mode == Mode::kKill) ::kill(::getpid(), SIGKILL);
+  if (plan.mode == Mode::kHold && number == plan.first) {
+    tell_number_of_calls();
+    for (;;) ::pause();
+  }
   return plan.mode == Mode::kOn || number == plan.first;
 }
 

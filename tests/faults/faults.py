@@ -4,14 +4,17 @@
 A library (tests/faults/fault_shim.cpp) makes the k-th call of a kind fail, once or from then on, for
 k = 1, 2, ... until a run completes without a fault; or kills the process before the k-th call that
 changes a file. For `files` the process may have so few files open, one more each time until a run completes.
-After every run
+For `held` a write never ends, and the process is told to stop, and told again. After every run
 
-- the process ended by itself, with exit code 0, 4 or 5 (a kill: by that);
+- the process ended by itself, with exit code 0, 4 or 5 (a kill: by that; told twice: with 75);
 - it said why in one line;
 - each output holds its old bytes or the complete new ones, and the new ones if the code is 0;
 - no temporary file is left (a kill leaves some; the next run completes beside them).
 
-usage: faults.py COMMAND SHIM [--kinds write,sync,rename,thread,memory,files,kill] [--long] [--table]
+Memory that is refused to libraries before the command begins ends it by a signal, and so does most that
+is refused to Mesa, and some to OpenSSL: by hand only.
+
+usage: faults.py COMMAND SHIM [--kinds write,sync,rename,thread,memory,files,held,kill] [--long] [--table]
 
 Without --long every kind tries a few k, the first and the last among them. --table prints a line for
 each kind, as docs/reliability.md has it.
@@ -21,9 +24,11 @@ import argparse
 import os
 import pathlib
 import resource
+import signal
 import subprocess
 import sys
 import tempfile
+import time
 
 HEADER = ('{"type":"header","format":"pentimento-log","version":1,"canvas":{"width":0.3,"height":0.2},'
           '"grid":{"width":48,"height":32}}\n')
@@ -34,8 +39,10 @@ JOBS = {
                ["a.png", "a.exr", "a.h5"]),
     "convert": (["convert", "a.jsonl", "-o", "b.jsonl.gz", "--quiet"], ["b.jsonl.gz"]),
 }
-KINDS = ("write", "sync", "rename", "thread", "memory", "files", "kill")
+KINDS = ("write", "sync", "rename", "thread", "memory", "files", "held", "kill")
 ENDS = {0, 4, 5}
+INTERRUPTED = 75
+SAME_WISH_S = 0.6  # a signal that comes within half a second of the first is no second wish
 OLD = b"old"
 SLOWEST_S = 120  # a run that takes longer hangs
 FEWEST_FILES = 4  # with three, which are open at the start, no shared library is found
@@ -56,8 +63,8 @@ class Place:
         self.words, self.outputs = JOBS[job]
         (self.path / "a.jsonl").write_text(HEADER + STROKE)
 
-    def run(self, fault=None, files=None):
-        """(exit code, standard error, number of calls); `files`: how many may be open at a time"""
+    def prepare(self, fault):
+        """The environment of a run, and the file that gets the number of calls"""
         # Without shaders kept by runs before: every run makes the same calls.
         environment = dict(os.environ, LC_ALL="C", PENTIMENTO_CACHE="")
         count = self.path / "count"
@@ -65,6 +72,11 @@ class Place:
             environment.update(LD_PRELOAD=self.shim, PENTIMENTO_FAULT=fault, PENTIMENTO_FAULT_COUNT=str(count))
         for name in self.outputs:
             (self.path / name).write_bytes(OLD)
+        return environment, count
+
+    def run(self, fault=None, files=None):
+        """(exit code, standard error, number of calls); `files`: how many may be open at a time"""
+        environment, count = self.prepare(fault)
         try:
             done = subprocess.run([self.command, *self.words], cwd=self.path, env=environment, capture_output=True,
                                   timeout=SLOWEST_S, preexec_fn=files and (lambda: limit_files(files)))
@@ -75,18 +87,44 @@ class Place:
         count.unlink(missing_ok=True)
         return code, words, calls
 
+    def memory_before_main(self):
+        """How often libraries ask for memory before the command begins, and it for next to nothing"""
+        words, self.words = self.words, ["--version"]
+        calls = self.run("memory:0:once")[2]
+        self.words = words
+        return calls
+
+    def stop_twice(self, fault):
+        """(exit code, standard error) of a run that a fault holds, and that gets two signals"""
+        environment, held = self.prepare(fault)
+        with subprocess.Popen([self.command, *self.words], cwd=self.path, env=environment, text=True,
+                              stdout=subprocess.DEVNULL, stderr=subprocess.PIPE) as process:
+            until = time.monotonic() + SLOWEST_S
+            while not held.exists() and process.poll() is None and time.monotonic() < until:
+                time.sleep(0.02)
+            process.send_signal(signal.SIGTERM)
+            time.sleep(SAME_WISH_S)
+            process.send_signal(signal.SIGTERM)
+            try:
+                words = process.communicate(timeout=SLOWEST_S)[1]
+            except subprocess.TimeoutExpired:
+                process.kill()
+                return "hang", ""
+        held.unlink(missing_ok=True)
+        return process.returncode, words
+
     def contents(self):
         return {name: (self.path / name).read_bytes() for name in self.outputs}
 
     def temporaries(self):
-        return [path for path in self.path.iterdir() if path.name.endswith(".part")]
+        return [path for path in self.path.iterdir() if path.name.endswith((".part", ".lock"))]
 
 
-def problems(place, reference, code, words, killed):
+def problems(place, reference, code, words, killed, ends=ENDS):
     found = []
     if killed and code == -9:
         pass
-    elif code not in ENDS:
+    elif code not in ends:
         found.append(f"ended with {code}: {words.strip()[-200:]}")
     elif code != 0 and words.count("\n") != 1:
         found.append(f"said {words!r}")
@@ -115,8 +153,9 @@ def try_kind(place, reference, kind, mode, long):
     """(runs, codes, what was wrong)"""
     call = "publish" if kind == "kill" else kind
     _, _, calls = place.run(f"{call}:0:{mode}")
+    first = place.memory_before_main() if kind == "memory" else 0
     codes, wrong, runs = {}, [], 0
-    for k in chosen(calls, long, kind) if calls else ():
+    for k in (first + n for n in chosen(calls - first, long, kind)) if calls else ():
         code, words, _ = place.run(f"{call}:{k}:{mode}")
         runs += 1
         codes[code] = codes.get(code, 0) + 1
@@ -139,9 +178,29 @@ def try_files(place, reference):
     return limit, limit - FEWEST_FILES + 1, codes, wrong
 
 
+def try_held(place, reference, long):
+    """As try_kind(), for writes that never end."""
+    _, _, calls = place.run("write:0:once")
+    codes, wrong, runs = {}, [], 0
+    for k in chosen(calls, long, "write"):
+        code, words = place.stop_twice(f"write:{k}:hold")
+        runs += 1
+        codes[code] = codes.get(code, 0) + 1
+        wrong += [f"held {k}: {text}" for text in problems(place, reference, code, words, False, {INTERRUPTED})]
+    return calls, runs, codes, wrong
+
+
 def modes(kind):
     """How a fault of a kind comes."""
-    return {"kill": ("kill",), "files": ("limit",)}.get(kind, ("once", "on"))
+    return {"kill": ("kill",), "files": ("limit",), "held": ("hold",)}.get(kind, ("once", "on"))
+
+
+def try_one(place, reference, kind, mode, long):
+    if kind == "files":
+        return try_files(place, reference)
+    if kind == "held":
+        return try_held(place, reference, long)
+    return try_kind(place, reference, kind, mode, long)
 
 
 def main():
@@ -161,8 +220,7 @@ def main():
             sys.exit(f"{job}: the plain run ended with {code}: {words}")
         for kind in options.kinds.split(","):
             for mode in modes(kind):
-                calls, runs, codes, found = (try_files(place, reference) if kind == "files" else
-                                             try_kind(place, reference, kind, mode, options.long))
+                calls, runs, codes, found = try_one(place, reference, kind, mode, options.long)
                 wrong += [f"{job}: {text}" for text in found]
                 if options.table:
                     ends = ", ".join(f"{n} x {code}" for code, n in sorted(codes.items(), key=str))

@@ -36,8 +36,8 @@ Result<std::unique_ptr<GlContext>> open_egl_context();
 void keep_compiled_shaders(const std::string& folder);
 
 /// What Mesa reads from the environment when its first context opens: its threads (0 = it works in
-/// the calling thread), and that it keeps no compiled shaders on disk unless it was told to. Later
-/// calls change nothing.
+/// the calling thread), that it keeps no compiled shaders on disk unless it was told to, and that
+/// it prints no warnings. Later calls change nothing.
 void prepare_mesa(int gl_threads);
 /// An error in a process that was forked off one in which Mesa has threads: here it has none, and
 /// would wait for them for ever.

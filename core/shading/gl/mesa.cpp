@@ -26,6 +26,7 @@ void prepare_mesa(int gl_threads) {
   process_of_threads(gl_threads);
   setenv("LP_NUM_THREADS", std::to_string(gl_threads).c_str(), 1);
   setenv("MESA_SHADER_CACHE_DISABLE", "true", 0);
+  setenv("EGL_LOG_LEVEL", "fatal", 0);  // it would warn of drivers that it does not find
 }
 
 Result<void> check_mesa_threads() {

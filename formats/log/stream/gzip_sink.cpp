@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/base/check.h"
+#include "core/base/require_memory.h"
 #include "formats/log/stream/compress.h"
 #include "formats/log/stream/gzip_window.h"
 
@@ -18,8 +19,8 @@ class GzipSink : public ByteSink {
  public:
   GzipSink(OutputFile& file, Effort effort) : file_(file), buffer_(1 << 16) {
     const int level = effort == Effort::kLittle ? Z_BEST_SPEED : Z_DEFAULT_COMPRESSION;
-    PENTIMENTO_CHECK(deflateInit2(&stream_, level, Z_DEFLATED, kGzipWindow, kMemory,
-                                  Z_DEFAULT_STRATEGY) == Z_OK);
+    require_memory(deflateInit2(&stream_, level, Z_DEFLATED, kGzipWindow, kMemory,
+                                Z_DEFAULT_STRATEGY) == Z_OK);
   }
   ~GzipSink() override { deflateEnd(&stream_); }
   GzipSink(const GzipSink&) = delete;

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "core/base/check.h"
+#include "core/base/require_memory.h"
 #include "formats/log/stream/decompress.h"
 #include "formats/log/stream/gzip_window.h"
 
@@ -13,7 +14,7 @@ namespace {
 class GzipSource : public ByteSource {
  public:
   explicit GzipSource(std::unique_ptr<RawFile> file) : file_(std::move(file)), input_(1 << 17) {
-    PENTIMENTO_CHECK(inflateInit2(&stream_, kGzipWindow) == Z_OK);
+    require_memory(inflateInit2(&stream_, kGzipWindow) == Z_OK);
   }
   ~GzipSource() override { inflateEnd(&stream_); }
   GzipSource(const GzipSource&) = delete;

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "core/base/check.h"
+#include "core/base/require_memory.h"
 #include "formats/log/stream/compress.h"
 
 namespace pentimento::log {
@@ -13,7 +14,7 @@ class ZstdSink : public ByteSink {
  public:
   explicit ZstdSink(OutputFile& file)
       : file_(file), buffer_(ZSTD_CStreamOutSize()), stream_(ZSTD_createCStream()) {
-    PENTIMENTO_CHECK(stream_ != nullptr);
+    require_memory(stream_ != nullptr);
     PENTIMENTO_CHECK(!ZSTD_isError(ZSTD_CCtx_setParameter(stream_, ZSTD_c_checksumFlag, 1)));
   }
   ~ZstdSink() override { ZSTD_freeCStream(stream_); }

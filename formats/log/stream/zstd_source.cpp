@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "core/base/check.h"
+#include "core/base/require_memory.h"
 #include "formats/log/stream/decompress.h"
 
 namespace pentimento::log {
@@ -13,7 +13,7 @@ class ZstdSource : public ByteSource {
  public:
   explicit ZstdSource(std::unique_ptr<RawFile> file)
       : file_(std::move(file)), buffer_(ZSTD_DStreamInSize()), stream_(ZSTD_createDStream()) {
-    PENTIMENTO_CHECK(stream_ != nullptr);
+    require_memory(stream_ != nullptr);
   }
   ~ZstdSource() override { ZSTD_freeDStream(stream_); }
   ZstdSource(const ZstdSource&) = delete;
