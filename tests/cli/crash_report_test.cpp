@@ -10,26 +10,28 @@
 namespace pentimento::test {
 namespace {
 
-/// A picture that takes seconds: the signal comes while its temporary file is there.
-const std::string kSlow = "render a.jsonl -o a.png --width 16000 --quiet";
 constexpr int kKilledBy = 128;  // what `timeout` and shells add to a signal's number
+
+/// The command gets the signal while the temporary file of a large picture is there.
+void expect_clean_end(const std::string& signal, int number, const std::string& words) {
+  SCOPED_TRACE(signal);
+  const Workplace place;
+  const Ran ran =
+      place.run("render a.jsonl -o a.png --width 16000 --quiet", signalled(signal, "1.5"));
+  EXPECT_EQ(ran.code, kKilledBy + number);
+  EXPECT_EQ(ran.err, words);
+  EXPECT_EQ(place.files(), 1U);
+}
 
 TEST(CrashReport, ACrashIsOneLineLeavesNothingAndEndsByItsSignal) {
   if (kSanitized) GTEST_SKIP() << "the sanitizer reports it";
-  const Workplace place;
-  const Ran ran = place.run(kSlow, signalled("SEGV", "1.5"));
-  EXPECT_EQ(ran.code, kKilledBy + SIGSEGV);
-  EXPECT_EQ(ran.err, "pentimento: internal error: crashed; no output is half written\n");
-  EXPECT_EQ(place.files(), 1U);
+  expect_clean_end("SEGV", SIGSEGV,
+                   "pentimento: internal error: crashed; no output is half written\n");
 }
 
 TEST(CrashReport, WhoAbortsHasSaidWhy) {
   if (kSanitized) GTEST_SKIP() << "it may not have begun to listen when the signal comes";
-  const Workplace place;
-  const Ran ran = place.run(kSlow, signalled("ABRT", "1.5"));
-  EXPECT_EQ(ran.code, kKilledBy + SIGABRT);
-  EXPECT_EQ(ran.err, "");
-  EXPECT_EQ(place.files(), 1U);
+  expect_clean_end("ABRT", SIGABRT, "");
 }
 
 TEST(CrashReport, CloseToALimitOfMemoryACrashIsALimitsError) {
