@@ -10,7 +10,7 @@ namespace pentimento {
 
 namespace {
 constexpr std::size_t kLongestName = 1024;  // bytes; longer ones are rare, and not noted
-constexpr int kNames = 512;                 // a film with its stills has some dozens open
+constexpr int kNames = 512;                 // each output has two, and a film some dozens of stills
 
 enum Use : int { kFree, kChanging, kNoted };
 

@@ -27,8 +27,13 @@ TEST(Guard, AWantOfMemoryIsOneLineAndLeavesNothing) {
     if (ran.code == 0 || ran.code == 127) continue;  // it fitted; the libraries did not
     ++refused;
     EXPECT_TRUE(ran.code == 4 || ran.code == 5) << mebibytes << ": " << ran.code << ran.err;
-    EXPECT_EQ(ran.err.find("pentimento: "), 0U) << mebibytes << ": " << ran.err;
-    EXPECT_EQ(lines_in(ran.err), 1U) << mebibytes << ": " << ran.err;
+    // A library whose heap is damaged by then may have last words before it crashes.
+    const std::size_t ours = ran.err.find("pentimento: ");
+    ASSERT_NE(ours, std::string::npos) << mebibytes << ": " << ran.err;
+    EXPECT_EQ(lines_in(ran.err.substr(ours)), 1U) << mebibytes << ": " << ran.err;
+    if (ran.err.find("crashed") == std::string::npos) {
+      EXPECT_EQ(ours, 0U) << ran.err;
+    }
     EXPECT_EQ(place.files(), 1U) << mebibytes;
   }
   EXPECT_GT(refused, 0);

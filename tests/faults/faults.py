@@ -21,6 +21,7 @@ each kind, as docs/reliability.md has it.
 """
 
 import argparse
+import collections
 import os
 import pathlib
 import resource
@@ -40,7 +41,7 @@ JOBS = {
     "convert": (["convert", "a.jsonl", "-o", "b.jsonl.gz", "--quiet"], ["b.jsonl.gz"]),
 }
 KINDS = ("write", "sync", "rename", "thread", "memory", "files", "held", "kill")
-ENDS = {0, 4, 5}
+ENDS = frozenset({0, 4, 5})
 INTERRUPTED = 75
 SAME_WISH_S = 0.6  # a signal that comes within half a second of the first is no second wish
 OLD = b"old"
@@ -120,7 +121,7 @@ class Place:
         return [path for path in self.path.iterdir() if path.name.endswith((".part", ".lock"))]
 
 
-def problems(place, reference, code, words, killed, ends=ENDS):
+def problems(place, reference, code, words, killed, ends):
     found = []
     if killed and code == -9:
         pass
@@ -149,45 +150,47 @@ def chosen(calls, long, kind):
     return sorted({1, calls, *(max(1, calls * i // few) for i in range(1, few))})
 
 
+def judge(place, reference, done, killed=False, ends=ENDS):
+    """(runs, codes, what was wrong) of runs that come as (name, exit code, standard error)"""
+    codes, wrong = collections.Counter(), []
+    for name, code, words in done:
+        codes[code] += 1
+        wrong += [f"{name}: {text}" for text in problems(place, reference, code, words, killed, ends)]
+    return sum(codes.values()), codes, wrong
+
+
 def try_kind(place, reference, kind, mode, long):
-    """(runs, codes, what was wrong)"""
+    """(calls, runs, codes, what was wrong)"""
     call = "publish" if kind == "kill" else kind
     _, _, calls = place.run(f"{call}:0:{mode}")
     first = place.memory_before_main() if kind == "memory" else 0
-    codes, wrong, runs = {}, [], 0
-    for k in (first + n for n in chosen(calls - first, long, kind)) if calls else ():
-        code, words, _ = place.run(f"{call}:{k}:{mode}")
-        runs += 1
-        codes[code] = codes.get(code, 0) + 1
-        wrong += [f"{kind} {k} {mode}: {text}" for text in problems(place, reference, code, words, kind == "kill")]
-    return calls, runs, codes, wrong
+    done = ((f"{kind} {k} {mode}", *place.run(f"{call}:{k}:{mode}")[:2])
+            for k in (first + n for n in chosen(calls - first, long, kind) if calls))
+    return calls, *judge(place, reference, done, killed=kind == "kill")
+
+
+def with_few_files(place):
+    """Runs that may have FEWEST_FILES open and more, until one completes"""
+    for limit in range(FEWEST_FILES, MOST_FILES + 1):
+        code, words, _ = place.run(files=limit)
+        yield f"files {limit}", code, words
+        if code == 0:
+            return
 
 
 def try_files(place, reference):
-    """(the limit that sufficed, runs, codes, what was wrong)"""
-    codes, wrong = {}, []
-    limit, code = FEWEST_FILES - 1, None
-    while code != 0:
-        limit += 1
-        code, words, _ = place.run(files=limit)
-        codes[code] = codes.get(code, 0) + 1
-        wrong += [f"files {limit}: {text}" for text in problems(place, reference, code, words, killed=False)]
-        if limit > MOST_FILES:
-            wrong.append(f"files {limit}: not enough")
-            break
-    return limit, limit - FEWEST_FILES + 1, codes, wrong
+    """As try_kind(): the limit that sufficed, and the rest"""
+    runs, codes, wrong = judge(place, reference, with_few_files(place))
+    if codes[0] == 0:
+        wrong.append(f"files {MOST_FILES}: not enough")
+    return FEWEST_FILES + runs - 1, runs, codes, wrong
 
 
 def try_held(place, reference, long):
     """As try_kind(), for writes that never end."""
     _, _, calls = place.run("write:0:once")
-    codes, wrong, runs = {}, [], 0
-    for k in chosen(calls, long, "write"):
-        code, words = place.stop_twice(f"write:{k}:hold")
-        runs += 1
-        codes[code] = codes.get(code, 0) + 1
-        wrong += [f"held {k}: {text}" for text in problems(place, reference, code, words, False, {INTERRUPTED})]
-    return calls, runs, codes, wrong
+    done = ((f"held {k}", *place.stop_twice(f"write:{k}:hold")) for k in chosen(calls, long, "write"))
+    return calls, *judge(place, reference, done, ends={INTERRUPTED})
 
 
 def modes(kind):
