@@ -114,7 +114,7 @@ BENCHMARK(ConservativeStep)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 
-using MovePaint = void (*)(CanvasState&, const StepInput&, Axis, const SleepTiles&);
+using MovePaint = void (*)(CanvasState&, const StepInput&, Axis, const WetCells&);
 /// Moves the paint forth and back, so that it stays what it is. Arguments: axis, threads.
 void move_paint(benchmark::State& state, MovePaint move) {
   Basin b = running_canvas(kWidth, kWidth, static_cast<int>(state.range(1)));
@@ -124,10 +124,12 @@ void move_paint(benchmark::State& state, MovePaint move) {
   const StepInput forth{b.model, b.gravity_m_s2, b.dt_s, b.contact, b.amount, b.pool};
   const StepInput back{b.model, b.gravity_m_s2, -b.dt_s, b.contact, b.amount, b.pool};
   tiles.wake(b.state, forth);
+  WetCells wet;
+  wet.find_all(tiles);
   bool forward = true;
   LeastTime least;
   for (auto _ : state) {
-    least.time([&] { move(b.state, forward ? forth : back, axis, tiles); });
+    least.time([&] { move(b.state, forward ? forth : back, axis, wet); });
     forward = !forward;
   }
   least.report(state, kCells);
@@ -150,7 +152,7 @@ BENCHMARK(ConservativeMovePaintPlainly)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 
-using MoveMomentum = void (*)(const CanvasState&, const StepInput&, Axis, Turn, const SleepTiles&,
+using MoveMomentum = void (*)(const CanvasState&, const StepInput&, Axis, Turn, const WetCells&,
                               Workspace&);
 /// Arguments: axis, threads.
 void move_momentum(benchmark::State& state, MoveMomentum move) {
@@ -161,9 +163,11 @@ void move_momentum(benchmark::State& state, MoveMomentum move) {
   b.state.sleep.clear();
   const StepInput in{b.model, b.gravity_m_s2, b.dt_s, b.contact, b.amount, b.pool};
   tiles.wake(b.state, in);
-  fill_node_masses(b.state, tiles, b.pool, work);
+  WetCells wet;
+  wet.find_all(tiles);
+  fill_node_masses(b.state, wet, b.pool, work);
   LeastTime least;
-  for (auto _ : state) least.time([&] { move(b.state, in, axis, Turn::kFirst, tiles, work); });
+  for (auto _ : state) least.time([&] { move(b.state, in, axis, Turn::kFirst, wet, work); });
   least.report(state, kCells);
   report(state);
 }

@@ -1,9 +1,7 @@
 #include "core/fluid/conservative/conservative_scheme.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 
 #include "core/base/kernel.h"
@@ -68,19 +66,6 @@ float positive(float x) {
   return x > 0 ? x : 0.0f;
 }
 
-// The largest |value| of a row, or `highest` if that is larger. Positive floats have the order of
-// their bits, and a maximum of integers may be taken in any order, so the compiler takes many at a
-// time.
-PENTIMENTO_KERNEL
-float highest_row(const float* value, int n, float highest) {
-  std::int32_t most = std::bit_cast<std::int32_t>(highest);
-  for (int i = 0; i < n; ++i) {
-    const std::int32_t size = std::bit_cast<std::int32_t>(value[i]) & 0x7fffffff;
-    most = size > most ? size : most;
-  }
-  return std::bit_cast<float>(most);
-}
-
 // Whether any face of a row has a mobility and is not held.
 PENTIMENTO_KERNEL
 bool any_gives_way(const float* mobility, const float* friction, int n) {
@@ -115,27 +100,31 @@ void ConservativeScheme::make_tiles(float sleep_tile_m) {
   tiles_ = std::make_unique<SleepTiles>(geometry_, sleep_tile_m);
   live_ = {};
   resting_ = {};
+  knows_before_ = false;
 }
 
 bool ConservativeScheme::step(CanvasState& state, const StepInput& in) {
   if (!tiles_) make_tiles(in.model.sleep_tile_m);
-  steps_ += 1;
-  // 1. Wake tiles: finds the tiles that this step computes. The workspace of a tile that is asleep
-  // holds zeros; find_live() sees to the solver's planes.
-  for (const int tile : tiles_->wake(state, in)) work_.clear(tiles_->box(tile));
-  if (PlaneMemory::leaves_out(geometry_.width, geometry_.height))
-    for (const CellBox& box : resting_.find(*tiles_)) work_.give_back(box);
+  report_.begin();
+  // 1. Wake tiles: finds the tiles that may change in this step, and the cells of them that it
+  // computes.
+  tiles_->wake(state, in);
+  const int parts = parts_of_step(in.model, tiles_->travel_cells());
+  find_wet(state, in, tiles_->travel_cells() / static_cast<float>(parts));
   // A fresh canvas rests, but for what the brush has just touched: planes take no memory where
   // nobody writes to them.
   if (state.sleep.empty() && in.fresh) tiles_->rest_fresh(state, in);
-  if (tiles_->awake_tiles().empty()) return false;
+  if (tiles_->awake_tiles().empty()) {
+    work_.solver.set_runs({});
+    give_back();
+    return false;
+  }
   passed("wake");
 
   // 2. Round to quanta: rounds what the brush left, so that all sums of this step are exact.
   round_to_quanta(state, in);
   passed("round");
   // 3. to 7. once for each part: no front crosses more cells than its face depths are good for.
-  const int parts = parts_of_step(in.model, tiles_->travel_cells());
   for (int part = 0; part < parts; ++part) {
     const BrushContact& contact = part == 0 ? in.contact : untouched_;  // the push acts once
     const float dt_s = in.dt_s / static_cast<float>(parts);
@@ -148,32 +137,42 @@ bool ConservativeScheme::step(CanvasState& state, const StepInput& in) {
   tiles_->fall_asleep(state, in, [&](const CellBox& b) { return feels_gravity(b); });
   passed("sleep");
   // 9. Account: maxima for the reports. It changes nothing of the state.
-  account(state, in);
+  report_.add(state, wet_.runs(), tiles_->awake_share(), in.threads);
   passed("account");
+  give_back();
   return true;
 }
 
+// The workspace of tiles that slept through this step holds zeros, which need no memory.
+void ConservativeScheme::give_back() {
+  if (!PlaneMemory::leaves_out(geometry_.width, geometry_.height)) return;
+  for (const CellBox& box : resting_.find(*tiles_)) work_.give_back(box);
+}
+
 void ConservativeScheme::part_of_step(CanvasState& state, const StepInput& in, int part) {
+  if (part > 0) find_wet(state, in, travel_cells(state, wet_.runs(), in.dt_s));
   // 3. Advection: carries paint and momentum with the velocity that the state holds. The axes take
   // turns in being the first, so that neither is favoured.
   advect(state, in, (state.step + part) % 2 == 0);
   // 4. Rheology and faces: finds how the paint that arrived resists motion, ...
-  for_runs(in.threads, tiles_->runs(), [&](const Run& r) { find_rheology(state, in, r); });
+  for_runs(in.threads, wet_.runs(), [&](const Run& r) { find_rheology(state, in, r); });
   passed("rheology");
   // ... brings that to the faces, where the velocities live, ...
-  for_runs(in.threads, tiles_->runs(), [&](const Run& r) { find_faces(state, in, r); });
+  for_runs(in.threads, wet_.runs(), [&](const Run& r) { find_faces(state, in, r); });
   passed("faces");
   // ... and holds the films that are too shallow to advance over bare canvas.
   pin_edges(state, in);
   passed("edges");
   // 4d. ... and finds how far a force gets where the paint beside it drags, too.
-  find_drag(state.geometry, in.dt_s, RunIndex(tiles_->runs(), geometry_.height), in.threads, work_);
+  find_drag(state.geometry, in.dt_s, RunIndex(wet_.runs(), geometry_.height), in.threads, work_);
   passed("drag");
   // Where nothing moves and nothing gives way, that is all.
   if (part == 0) find_live(in);
-  if (!live_.any()) return;
+  live_runs_ = live_.live_of(wet_.runs(), *tiles_);
+  work_.solver.set_runs(live_runs_);
+  if (live_runs_.empty()) return;
   // Elsewhere it foresees where the surface comes to if all goes on as it moves.
-  for_runs(in.threads, live_.runs(), [&](const Run& r) { foresee_surface(state, in, r); });
+  for_runs(in.threads, live_runs_, [&](const Run& r) { foresee_surface(state, in, r); });
   copy_sleeping_neighbours(state);
   passed("surface");
   // 5. Viscosity: evens out the velocity inside each film.
@@ -191,13 +190,12 @@ void ConservativeScheme::advect(CanvasState& state, const StepInput& in, bool ev
   const Axis second = even ? Axis::kY : Axis::kX;
   if (tiles_->moves()) {
     // 3a. Masses: how much paint lies around each face before anything moves.
-    fill_node_masses(state, *tiles_, in.threads, work_);
+    fill_node_masses(state, wet_, in.threads, work_);
     passed("masses");
     for (const Axis axis : {first, second}) {
       // 3b. Momentum: mass and velocity around each face. The velocities of the state stay, for the
       // paint needs them.
-      advect_momentum(state, in, axis, axis == first ? Turn::kFirst : Turn::kSecond, *tiles_,
-                      work_);
+      advect_momentum(state, in, axis, axis == first ? Turn::kFirst : Turn::kSecond, wet_, work_);
       passed(axis == Axis::kX ? "momentum_x" : "momentum_y");
     }
   } else {
@@ -206,20 +204,20 @@ void ConservativeScheme::advect(CanvasState& state, const StepInput& in, bool ev
   }
   for (const Axis axis : {first, second}) {
     // 3c. Paint: depth and every channel of every layer, over the same edges.
-    advect_paint(state, in, axis, *tiles_);
+    advect_paint(state, in, axis, wet_);
     passed(axis == Axis::kX ? "paint_x" : "paint_y");
   }
   // 3d. Stroke ids: paint that ran onto bare canvas belongs to the stroke that it came from.
-  assign_strokes(state, tiles_->runs(), in.threads);
+  assign_strokes(state, wet_.runs(), in.threads);
   // The listener repeats this motion on its own canvas.
   if (in.listener == nullptr) return;
   in.listener->edges().x_first = even;
-  in.listener->moved(state, in, tiles_->runs());
+  in.listener->moved(state, in, wet_.runs());
 }
 
 // 3a, 3b where nothing moves: there is no momentum to carry.
 void ConservativeScheme::rest_nodes(const Threads& threads) {
-  for_runs(threads, tiles_->runs(), [&](const Run& r) {
+  for_runs(threads, wet_.runs(), [&](const Run& r) {
     for (NodePlanes* n : {&work_.x, &work_.y})
       std::fill_n(n->velocity_m_s.row(r.y) + r.x0, r.size(), 0.0f);
   });
@@ -248,11 +246,25 @@ void ConservativeScheme::find_live(const StepInput& in) {
   const bool all = !in.model.phi_scales_lateral;
   live_.find(*tiles_, in.threads,
              [&](int tile) { return all || tiles_->moves(tile) || gives_way(tiles_->box(tile)); });
-  for (const int tile : live_.gone()) {
-    const CellBox b = tiles_->box(tile);
-    work_.solver.clear(b.x0, b.x1, b.y0, b.y1);
-  }
-  if (live_.any()) work_.solver.set_runs(live_.runs());
+}
+
+// Which cells a part of a step is for. In all others the planes of the work and the velocities hold
+// zeros; Multigrid::set_runs() sees to the solver's planes.
+void ConservativeScheme::find_wet(CanvasState& state, const StepInput& in, float travel_cells) {
+  // As far as paint comes, rounded up, and two cells more, which slopes and drag are seen from.
+  const int reach = static_cast<int>(std::min(travel_cells, 1e6f)) + 3;
+  if (leaves_out_)
+    wet_.find(*tiles_, state.depth_m, reach, in.threads);
+  else
+    wet_.find_all(*tiles_);
+  for_cells_left(knows_before_ ? wet_before_ : tiles_->runs(), wet_.runs(),
+                 [&](int y, int x0, int x1) {
+                   work_.clear({x0, x1, y, y + 1});
+                   for (Field<float>* u : {&state.velocity_x_m_s, &state.velocity_y_m_s})
+                     std::fill(u->row(y) + x0, u->row(y) + x1, 0.0f);
+                 });
+  wet_before_ = wet_.runs();
+  knows_before_ = true;
 }
 
 // Whether a force would move any paint: at a face that is not held.
@@ -290,7 +302,7 @@ void ConservativeScheme::pin_edges(const CanvasState& state, const StepInput& in
   if (!(in.model.front_depth_m > 0)) return;
   const ContactLine line(in.model.front_depth_m, in.model.front_reach_m, state.geometry.dx_m(),
                          state.geometry.dy_m());
-  for_runs(in.threads, tiles_->runs(), [&](const Run& r) {
+  for_runs(in.threads, wet_.runs(), [&](const Run& r) {
     for_open_faces(*tiles_, Axis::kX, r, [&](int x, int n) {
       line.pin_row(state.depth_m, Axis::kX, x, r.y, n, work_.x.friction_frac.row(r.y) + x);
     });
@@ -319,7 +331,7 @@ void ConservativeScheme::copy_sleeping_neighbours(const CanvasState& state) {
     for (int x = x0; x < x1; ++x)
       work_.surface_m.row(y)[x] = state.base_m(x, y) + state.depth_m(x, y);
   };
-  for (const Run& r : live_.runs()) {
+  for (const Run& r : live_runs_) {
     if (r.x0 > 0) copy(r.y, r.x0 - 1, r.x0);
     if (r.x1 < geometry_.width) copy(r.y, r.x1, r.x1 + 1);
     for (const int y : {r.y - 1, r.y + 1})
@@ -526,7 +538,7 @@ void ConservativeScheme::solve_height(CanvasState& state, const StepInput& in) {
                                [&](const Run& r) { apply_tension(state, in, r); },
                                [&](const Run& r) { fill_height(state, in, r); }},
                       .finish = [&](const Run& r) { finish(in, r); }});
-  for_runs(in.threads, live_.runs(), [&](const Run& r) { stand(state, in, r); });
+  for_runs(in.threads, live_runs_, [&](const Run& r) { stand(state, in, r); });
 }
 
 bool ConservativeScheme::feels_gravity(const CellBox& b) const {
@@ -537,50 +549,22 @@ bool ConservativeScheme::feels_gravity(const CellBox& b) const {
   return false;
 }
 
-void ConservativeScheme::account(const CanvasState& state, const StepInput& in) {
-  const std::vector<Run>& runs = tiles_->runs();
-  std::vector<float> speed(runs.size()), depth(runs.size());
-  for_runs(in.threads, runs, [&](const Run& r) {
-    const auto k = static_cast<std::size_t>(&r - runs.data());
-    depth[k] = highest_row(state.depth_m.row(r.y) + r.x0, r.size(), 0);
-    speed[k] = highest_row(state.velocity_x_m_s.row(r.y) + r.x0, r.size(), 0);
-    speed[k] = highest_row(state.velocity_y_m_s.row(r.y) + r.x0, r.size(), speed[k]);
-  });
-  for (const float s : speed) speed_max_m_s_ = std::max(speed_max_m_s_, static_cast<double>(s));
-  for (const float d : depth) depth_max_m_ = std::max(depth_max_m_, static_cast<double>(d));
-  awake_share_sum_ += tiles_->awake_share();
-  awake_share_max_ = std::max(awake_share_max_, tiles_->awake_share());
-}
-
-std::vector<std::pair<std::string, double>> ConservativeScheme::statistics() const {
-  return {{"awake_share_mean", steps_ > 0 ? awake_share_sum_ / steps_ : 0},
-          {"awake_share_max", awake_share_max_},
-          {"max_speed_m_s", speed_max_m_s_},
-          {"max_depth_m", depth_max_m_}};
-}
-
 std::vector<double> ConservativeScheme::memory() const {
-  return {static_cast<double>(sleep_tile_m_),
-          steps_,
-          awake_share_sum_,
-          awake_share_max_,
-          speed_max_m_s_,
-          depth_max_m_};
+  std::vector<double> memory = report_.numbers();
+  memory.insert(memory.begin(), static_cast<double>(sleep_tile_m_));
+  return memory;
 }
 
 bool ConservativeScheme::fits(std::span<const double> memory) const {
   const auto is_sum = [](double v) { return v >= 0 && v <= std::numeric_limits<float>::max(); };
-  return memory.size() == 6 && std::all_of(memory.begin(), memory.end(), is_sum);
+  return memory.size() == 1 + StepReport::kNumbers &&
+         std::all_of(memory.begin(), memory.end(), is_sum);
 }
 
 void ConservativeScheme::recall(std::span<const double> memory) {
   PENTIMENTO_CHECK(fits(memory));
   if (memory[0] > 0) make_tiles(static_cast<float>(memory[0]));
-  steps_ = memory[1];
-  awake_share_sum_ = memory[2];
-  awake_share_max_ = memory[3];
-  speed_max_m_s_ = memory[4];
-  depth_max_m_ = memory[5];
+  report_.set(memory.subspan(1));
 }
 
 }  // namespace pentimento::conservative

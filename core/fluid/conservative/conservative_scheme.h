@@ -17,9 +17,11 @@
 
 #include "core/fluid/conservative/solve/height_row.h"
 #include "core/fluid/conservative/solve/workspace.h"
+#include "core/fluid/conservative/step_report.h"
 #include "core/fluid/conservative/tiles/live_tiles.h"
 #include "core/fluid/conservative/tiles/resting_tiles.h"
 #include "core/fluid/conservative/tiles/sleep_tiles.h"
+#include "core/fluid/conservative/tiles/wet_cells.h"
 #include "core/fluid/scheme.h"
 
 namespace pentimento::conservative {
@@ -29,12 +31,17 @@ class ConservativeScheme : public FluidScheme {
   explicit ConservativeScheme(const CanvasGeometry& geometry);
 
   bool step(CanvasState& state, const StepInput& in) override;
-  std::vector<std::pair<std::string, double>> statistics() const override;
+  std::vector<std::pair<std::string, double>> statistics() const override {
+    return report_.statistics();
+  }
   std::vector<double> memory() const override;
   bool fits(std::span<const double> memory) const override;
   void recall(std::span<const double> memory) override;
   /// Share of the tiles that were awake in the last step.
   double awake_share() const { return tiles_ ? tiles_->awake_share() : 0; }
+  /// From the next step on computes bare cells of awake tiles, too: the same bits, in more time.
+  /// For tests.
+  void leave_nothing_out() { leaves_out_ = false; }
   /// `done` is called after each pass of a step with the pass's name. For measuring.
   void on_pass(std::function<void(const char* pass)> done) { passed_ = std::move(done); }
 
@@ -43,7 +50,9 @@ class ConservativeScheme : public FluidScheme {
     if (passed_) passed_(pass);
   }
   void find_live(const StepInput& in);
+  void find_wet(CanvasState& state, const StepInput& in, float travel_cells);
   void make_tiles(float sleep_tile_m);
+  void give_back();
   void part_of_step(CanvasState& state, const StepInput& in, int part);
   void advect(CanvasState& state, const StepInput& in, bool even);
   void rest_nodes(const Threads& threads);
@@ -66,21 +75,21 @@ class ConservativeScheme : public FluidScheme {
   void stand(CanvasState& state, const StepInput& in, const Run& r) const;
   bool gives_way(const CellBox& box) const;
   bool feels_gravity(const CellBox& box) const;
-  void account(const CanvasState& state, const StepInput& in);
 
   CanvasGeometry geometry_;
   std::unique_ptr<SleepTiles> tiles_;  // made at the first step: their size is a parameter
   float sleep_tile_m_ = 0;             // that parameter then; 0 before the first step
   LiveTiles live_;                     // of this step
+  WetCells wet_;                       // of this part of a step
+  std::vector<Run> live_runs_;         // wet cells of live tiles
+  std::vector<Run> wet_before_;        // those of the part before; outside, planes hold zeros
+  bool knows_before_ = false;          // whether there was a part before
+  bool leaves_out_ = true;             // bare cells
   RestingTiles resting_;               // used on large canvases
   Workspace work_;
   std::function<void(const char*)> passed_;
   BrushContact untouched_;  // of no size: the brush touches nothing in the later parts of a step
-  double steps_ = 0;
-  double awake_share_sum_ = 0;
-  double awake_share_max_ = 0;
-  double speed_max_m_s_ = 0;
-  double depth_max_m_ = 0;
+  StepReport report_;
 };
 
 }  // namespace pentimento::conservative

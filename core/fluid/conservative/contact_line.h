@@ -32,18 +32,25 @@ class ContactLine {
                float* friction_frac) const;
 
  private:
+  static constexpr int kLanes = 4;  // sums of a mean, a power of 2
   /// One row of the neighbourhood of a face: cells [x0, x1], counted from the cell on the upper or
-  /// left side of the face.
+  /// left side of the face. The weights begin at first(), with zeros before x0 and after x1 that
+  /// make them a whole number of lanes.
   struct TapRow {
     int y, x0, x1;
     std::vector<float> weight;
+    int first() const { return x0 & -kLanes; }
   };
   struct ProfileTaps {
     std::vector<TapRow> row;
     float total = 0;
+    int x0 = 0, x1 = 0, y0 = 0, y1 = 0;  // the cells that have a weight, zeros included
+    void add(TapRow taps);
   };
   static ProfileTaps taps_around(float from_x, float from_y, float reach_m, float dx_m, float dy_m);
   static float mean_depth(const Field<float>& depth_m, const ProfileTaps& taps, int x, int y);
+  static float mean_depth_within(const Field<float>& depth_m, const ProfileTaps& taps, int x,
+                                 int y);
 
   float depth_m_;
   ProfileTaps taps_x_, taps_y_;

@@ -10,6 +10,13 @@
 namespace pentimento::conservative {
 namespace {
 
+// The paint around the nodes between two rows of cells, or between cells of a row.
+PENTIMENTO_KERNEL
+void node_mass_row(const float* __restrict depth_a, const float* __restrict depth_b, int n,
+                   float* __restrict mass) {
+  for (int i = 0; i < n; ++i) mass[i] = 0.5f * (depth_a[i] + depth_b[i]);
+}
+
 // A row of faces: their velocity and the paint around them.
 struct FaceFlow {
   const float* velocity;
@@ -168,7 +175,7 @@ struct RowMover {
         return plane.row(b.box.y0 + r)[b.box.x0 + lane];
       };
     };
-    put_far_momentum(stream.far(), stream.far_speed(), height, target(nodes.mass_m),
+    put_far_momentum(stream.far(), stream.far_speed(), {height, b.box.y0}, target(nodes.mass_m),
                      target(nodes.velocity_m_s));
     for (int r = 0; r < height; ++r)
       velocity_row(row_of(nodes.mass_m, r), row_of(nodes.velocity_m_s, r), n);
@@ -177,35 +184,36 @@ struct RowMover {
 
 }  // namespace
 
-void fill_node_masses(const CanvasState& state, const SleepTiles& tiles, const Threads& threads,
+void fill_node_masses(const CanvasState& state, const WetCells& wet, const Threads& threads,
                       Workspace& work) {
   const int width = state.geometry.width;
   const int height = state.geometry.height;
-  for_runs(threads, tiles.runs(), [&](const Run& r) {
+  for_runs(threads, wet.runs(), [&](const Run& r) {
     const float* d = state.depth_m.row(r.y);
     const float* below = state.depth_m.row(std::min(r.y + 1, height - 1));
     float* mx = work.x.first_mass_m.row(r.y);
     float* my = work.y.first_mass_m.row(r.y);
-    const int inner = std::min(r.x1, width - 1);
-    for (int x = r.x0; x < inner; ++x) mx[x] = 0.5f * (d[x] + d[x + 1]);
+    const int inner = std::min(r.x1, width - 1) - r.x0;
+    node_mass_row(d + r.x0, d + r.x0 + 1, inner, mx + r.x0);
     if (r.x1 == width) mx[width - 1] = 0.5f * d[width - 1];
-    for (int x = r.x0; x < r.x1; ++x) my[x] = 0.5f * (d[x] + below[x]);
+    node_mass_row(d + r.x0, below + r.x0, r.size(), my + r.x0);
   });
 }
 
 void advect_momentum_in_batches(const CanvasState& state, const StepInput& in, Axis axis, Turn turn,
-                                const SleepTiles& tiles, Workspace& work) {
+                                const WetCells& wet, Workspace& work) {
   const RemapOptions options{in.model.superbee, 0};
   const float cell_m = axis == Axis::kX ? state.geometry.dx_m() : state.geometry.dy_m();
   const Nodes along = axis == Axis::kX ? nodes_x(state, work) : nodes_y(state, work);
   const Nodes across = axis == Axis::kX ? nodes_y(state, work) : nodes_x(state, work);
   const MomentumEdges edges{state, in.dt_s / cell_m, axis, along.planes.first_mass_m};
-  for_batches(tiles, axis, in.threads, [&](int begin, int end, const auto& block_at) {
+  for_batches(wet, axis, in.threads, [&](int begin, int end, const auto& block_at) {
     BatchMover mover;
     for (int k = begin; k < end; ++k) {
       const LineBatch b = block_at(k);
       mover.plan.resize(b.cells(), b.step());
       mover.scratch.resize(b.cells(), b.step());
+      mover.plan.before = axis == Axis::kX ? b.box.x0 : b.box.y0;
       edges.fill(b, true, mover.plan.edge);
       mover.move(b, options, turn, along);
       edges.fill(b, false, mover.plan.edge);
@@ -215,11 +223,11 @@ void advect_momentum_in_batches(const CanvasState& state, const StepInput& in, A
 }
 
 void advect_momentum(const CanvasState& state, const StepInput& in, Axis axis, Turn turn,
-                     const SleepTiles& tiles, Workspace& work) {
-  if (axis == Axis::kX) return advect_momentum_in_batches(state, in, axis, turn, tiles, work);
+                     const WetCells& wet, Workspace& work) {
+  if (axis == Axis::kX) return advect_momentum_in_batches(state, in, axis, turn, wet, work);
   const RemapOptions options{in.model.superbee, 0};
   const MomentumEdges edges{state, in.dt_s / state.geometry.dy_m(), axis, work.y.first_mass_m};
-  for_wide_batches(tiles, in.threads, [&](int begin, int end, const auto& block_at) {
+  for_wide_batches(wet, in.threads, [&](int begin, int end, const auto& block_at) {
     RowMover mover;
     for (int k = begin; k < end; ++k) {
       const LineBatch b = block_at(k);

@@ -183,7 +183,7 @@ class PaintRow {
     if (far_.empty()) return;
     // Far cells passed nothing yet: each is spread over the cells that its image covers.
     const std::vector<FarCell> far = take_far_cells(far_, cells(edge_), options, rows);
-    const FarLine line{n_, in_.fresh ? r_.x0 : 0};
+    const FarLine line{n_, r_.x0};
     put_far_cells(far, line, options.rounder, [&](int i, int) -> float& { return amount[i]; });
   }
 
@@ -209,8 +209,8 @@ class PaintRow {
 
 }  // namespace
 
-void advect_paint_along_x(CanvasState& state, const StepInput& in, const SleepTiles& tiles) {
-  const std::vector<Run>& runs = tiles.runs();
+void advect_paint_along_x(CanvasState& state, const StepInput& in, const WetCells& wet) {
+  const std::vector<Run>& runs = wet.runs();
   in.threads.for_ranges(0, static_cast<int>(runs.size()), 8, [&](int begin, int end) {
     PaintRow row(state, in);
     for (int k = begin; k < end; ++k) row.move(runs[at(k)]);

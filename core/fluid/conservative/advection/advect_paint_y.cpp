@@ -26,7 +26,7 @@ struct RowFlags {
 // of the depth by both. The rows of edges go from 0 to the height.
 class BatchEdges {
  public:
-  void fill(const CanvasState& state, const StepInput& in, const LineBatch& b, int strip_width) {
+  void fill(const CanvasState& state, const StepInput& in, const LineBatch& b, int tile_width) {
     width_ = b.width();
     const std::size_t edges = as_size(b.cells() + width_);
     for (std::vector<float>* v : {&flow_, &depth_})
@@ -43,8 +43,9 @@ class BatchEdges {
     // The edges of the depth, limited strip by strip, so that it does not matter how many strips
     // make a batch.
     const float most_m = kMostDepthShare * in.model.max_medium_m;
-    for (int x = 0; x < width_; x += strip_width)
-      limit_strip(state, b, x, std::min(strip_width, width_ - x), most_m);
+    for (int x = b.box.x0; x < b.box.x1; x = end_of_tile(x, tile_width))
+      limit_strip(state, b, x - b.box.x0, std::min(end_of_tile(x, tile_width), b.box.x1) - x,
+                  most_m);
   }
   const float* flow(int r) const { return flow_.data() + r * width_; }
   const float* push(int r) const { return push_.data() + (pushed_ ? r * width_ : 0); }
@@ -118,10 +119,10 @@ struct ChannelStream {
 // from batch to batch.
 class PaintStream {
  public:
-  PaintStream(CanvasState& state, const StepInput& in, int strip_width)
+  PaintStream(CanvasState& state, const StepInput& in, int tile_width)
       : state_(state),
         in_(in),
-        strip_width_(strip_width),
+        tile_width_(tile_width),
         depth_options_{in.model.superbee, rounder_for(quantum_for(in.model.max_medium_m))},
         amount_options_{in.model.superbee, rounder_for(quantum_for(in.model.max_pigment))},
         layers_(as_size(state.layers)) {}
@@ -129,7 +130,7 @@ class PaintStream {
   void move(const LineBatch& b) {
     resize(b);
     // How far each edge moves, for the whole batch.
-    edges_.fill(state_, in_, b, strip_width_);
+    edges_.fill(state_, in_, b, tile_width_);
     const int height = b.height();
     // A listener is told of edges at rest, too.
     if (in_.listener == nullptr && !edges_.any_moves(0, height)) return;
@@ -310,7 +311,7 @@ class PaintStream {
   void put_far() {
     const auto put = [&](const QuantityStream& quantity, float rounder, Field<float>& plane) {
       if (quantity.far().empty()) return;
-      const FarLine line{b_.height(), in_.fresh ? b_.box.y0 : 0};
+      const FarLine line{b_.height(), b_.box.y0};
       put_far_cells(quantity.far(), line, rounder,
                     [&](int r, int lane) -> float& { return row_of(plane, r)[lane]; });
     };
@@ -330,7 +331,7 @@ class PaintStream {
 
   CanvasState& state_;
   const StepInput& in_;
-  int strip_width_;
+  int tile_width_;
   RemapOptions depth_options_, amount_options_;
   LineBatch b_;
   int n_ = 0;
@@ -344,9 +345,9 @@ class PaintStream {
 
 }  // namespace
 
-void advect_paint_along_y(CanvasState& state, const StepInput& in, const SleepTiles& tiles) {
-  for_wide_batches(tiles, in.threads, [&](int begin, int end, const auto& block_at) {
-    PaintStream stream(state, in, tiles.tile_width());
+void advect_paint_along_y(CanvasState& state, const StepInput& in, const WetCells& wet) {
+  for_wide_batches(wet, in.threads, [&](int begin, int end, const auto& block_at) {
+    PaintStream stream(state, in, wet.tile_width());
     for (int k = begin; k < end; ++k) stream.move(block_at(k));
   });
 }

@@ -6,7 +6,7 @@
 
 #include "core/fluid/conservative/advection/advection.h"
 #include "core/fluid/conservative/advection/remap_row.h"
-#include "core/fluid/conservative/tiles/sleep_tiles.h"
+#include "core/fluid/conservative/tiles/wet_cells.h"
 
 namespace pentimento::conservative {
 
@@ -38,6 +38,11 @@ void store_batch(const LineBatch& b, const float* in, Plane& plane) {
     std::copy_n(in, b.width(), plane.row(y) + b.box.x0);
 }
 
+/// The first column after the sleep tile of column x.
+inline int end_of_tile(int x, int tile_width) {
+  return (x / tile_width + 1) * tile_width;
+}
+
 /// Calls body(first, n, x, y) for each row of inner edges. The edges [first, first + n) lie between
 /// the cells [first - step, ...) and [first, ...); (x, y) is the cell before the first of them. The
 /// two end edges of a line are walls.
@@ -50,44 +55,31 @@ void for_inner_edges(const LineBatch& b, const Body& body) {
   }
 }
 
-/// Calls body(begin, end, batch_at) in parallel: for each k in [begin, end), batch_at(k) is an
-/// awake batch that moves along `axis`.
+/// Calls body(begin, end, batch_at) in parallel: for each k in [begin, end), batch_at(k) is a batch
+/// of wet cells that moves along `axis`. Along y it is one sleep tile wide.
 template <typename Body>
-void for_batches(const SleepTiles& tiles, Axis axis, const Threads& threads, const Body& body) {
+void for_batches(const WetCells& wet, Axis axis, const Threads& threads, const Body& body) {
+  std::vector<CellBox> boxes;
   if (axis == Axis::kX) {
-    const auto& runs = tiles.runs();
-    threads.for_ranges(0, static_cast<int>(runs.size()), 8, [&](int begin, int end) {
-      body(begin, end, [&](int k) {
-        const Run& r = runs[static_cast<std::size_t>(k)];
-        return LineBatch{{r.x0, r.x1, r.y, r.y + 1}, axis};
-      });
-    });
+    for (const Run& r : wet.runs()) boxes.push_back({r.x0, r.x1, r.y, r.y + 1});
   } else {
-    const auto& strips = tiles.strips();
-    threads.for_ranges(0, static_cast<int>(strips.size()), 1, [&](int begin, int end) {
-      body(begin, end, [&](int k) { return LineBatch{strips[static_cast<std::size_t>(k)], axis}; });
-    });
+    for (const CellBox& b : wet.boxes())
+      for (int x = b.x0; x < b.x1; x = end_of_tile(x, wet.tile_width()))
+        boxes.push_back({x, std::min(end_of_tile(x, wet.tile_width()), b.x1), b.y0, b.y1});
   }
+  threads.for_ranges(0, static_cast<int>(boxes.size()), 8, [&](int begin, int end) {
+    body(begin, end, [&](int k) { return LineBatch{boxes[static_cast<std::size_t>(k)], axis}; });
+  });
 }
 
-/// The same for batches that move along y row by row. Such a batch is strips side by side that
-/// begin and end in the same rows, up to 128 columns together, so that its window of rows fits into
-/// the cache of a core.
+/// The same for batches that move along y row by row, as wide as WetCells::boxes().
 template <typename Body>
-void for_wide_batches(const SleepTiles& tiles, const Threads& threads, const Body& body) {
-  constexpr int kWidth = 128;
-  std::vector<CellBox> wide;
-  for (const CellBox& strip : tiles.strips()) {
-    const auto same = std::find_if(wide.begin(), wide.end(), [&](const CellBox& b) {
-      return b.x1 == strip.x0 && b.y0 == strip.y0 && b.y1 == strip.y1 && strip.x1 - b.x0 <= kWidth;
+void for_wide_batches(const WetCells& wet, const Threads& threads, const Body& body) {
+  const std::vector<CellBox>& boxes = wet.boxes();
+  threads.for_ranges(0, static_cast<int>(boxes.size()), 1, [&](int begin, int end) {
+    body(begin, end, [&](int k) {
+      return LineBatch{boxes[static_cast<std::size_t>(k)], Axis::kY};
     });
-    if (same == wide.end())
-      wide.push_back(strip);
-    else
-      same->x1 = strip.x1;
-  }
-  threads.for_ranges(0, static_cast<int>(wide.size()), 1, [&](int begin, int end) {
-    body(begin, end, [&](int k) { return LineBatch{wide[static_cast<std::size_t>(k)], Axis::kY}; });
   });
 }
 

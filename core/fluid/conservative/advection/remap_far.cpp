@@ -95,9 +95,8 @@ void put_far_cells(const std::vector<FarCell>& far, const FarLine& line, float r
   }
 }
 
-void put_far_momentum(const std::vector<FarCell>& far, const std::vector<float>& speed, int length,
-                      const FarTarget& value, const FarTarget& momentum) {
-  const FarLine line{length};
+void put_far_momentum(const std::vector<FarCell>& far, const std::vector<float>& speed,
+                      const FarLine& line, const FarTarget& value, const FarTarget& momentum) {
   for (std::size_t k = 0; k < far.size(); ++k) {
     const FarCell& cell = far[k];
     float left = cell.value;

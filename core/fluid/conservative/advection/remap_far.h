@@ -46,9 +46,8 @@ std::vector<FarCell> take_far_cells(const std::vector<int>& far, const float* ed
 void put_far_cells(const std::vector<FarCell>& far, const FarLine& line, float rounder,
                    const FarTarget& value);
 
-/// The same for momentum: each part carries `speed[k]`, the velocity of far cell k. `length`: cells
-/// of a line.
-void put_far_momentum(const std::vector<FarCell>& far, const std::vector<float>& speed, int length,
-                      const FarTarget& value, const FarTarget& momentum);
+/// The same for momentum: each part carries `speed[k]`, the velocity of far cell k.
+void put_far_momentum(const std::vector<FarCell>& far, const std::vector<float>& speed,
+                      const FarLine& line, const FarTarget& value, const FarTarget& momentum);
 
 }  // namespace pentimento::conservative

@@ -69,7 +69,8 @@ void remap_momentum_batch(const RemapPlan& plan, const RemapOptions& options,
   const auto at_cell = [&](float* plane) {
     return [plane, step](int at, int lane) -> float& { return plane[at * step + lane]; };
   };
-  if (!far.empty()) put_far_momentum(far, speed, n / step, at_cell(mass), at_cell(velocity));
+  if (!far.empty())
+    put_far_momentum(far, speed, {n / step, plan.before}, at_cell(mass), at_cell(velocity));
   velocity_row(mass, velocity, n);
 }
 

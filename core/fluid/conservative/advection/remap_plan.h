@@ -15,6 +15,7 @@ namespace pentimento::conservative {
 /// put_far_cells() moves far cells as a whole.
 struct RemapPlan {
   int step = 1;
+  int before = 0;           // cells of the grid before the batch, along the axis of motion
   std::vector<float> edge;  // n + step displacements in cells; cell i has edges i and i + step
   std::vector<float> tau_lo, tau_hi, stay;  // n
   std::vector<int> far;                     // cells with stay = 0, ascending

@@ -84,7 +84,7 @@ void remap_batch(const RemapPlan& plan, const RemapOptions& options, RemapScratc
   const std::vector<FarCell> far = take_far_cells(plan, options, value);
   remap_gather_row(plan, lo, hi, value);
   if (far.empty()) return;
-  put_far_cells(far, {plan.cells() / step}, options.rounder,
+  put_far_cells(far, {plan.cells() / step, plan.before}, options.rounder,
                 [&](int at, int lane) -> float& { return value[at * step + lane]; });
 }
 

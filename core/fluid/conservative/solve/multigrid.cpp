@@ -4,6 +4,7 @@
 
 #include "core/base/fetch_ahead.h"
 #include "core/fluid/conservative/solve/multigrid_rows.h"
+#include "core/fluid/conservative/tiles/wet_cells.h"
 
 namespace pentimento::conservative {
 namespace {
@@ -49,7 +50,7 @@ void add_correction(Level& fine, const Level& coarse, const Run& r) {
   const int start = 2 * x;  // prolong_row starts at an even node
   const ProlongRow c{coarse.x.row(y) + x, coarse.x.row(over) + x, coarse.cx.row(y) + x,
                      coarse.cy.row(over < y ? over : y) + x};
-  prolong_row(c, stencil_at(fine.cx, fine.cy, start, r.y), r.x1 - start, fine.x.row(r.y) + start);
+  prolong_row(c, fine.inverse.row(r.y) + start, r.x1 - start, fine.x.row(r.y) + start);
 }
 
 template <typename Level>
@@ -82,6 +83,22 @@ void restrict_residual(const Level& fine, Level& coarse, const Run& r) {
                coarse.rhs.row(r.y) + r.x0);
 }
 
+// Runs that begin and end at whole vectors, or at the end of a row of `width` nodes. What they
+// cover besides holds zeros, and is left so.
+std::vector<Run> whole_vectors(const std::vector<Run>& runs, int width) {
+  constexpr int kVector = 16;
+  std::vector<Run> out;
+  for (const Run& r : runs) {
+    const int x0 = r.x0 / kVector * kVector;
+    const int x1 = std::min((r.x1 + kVector - 1) / kVector * kVector, width);
+    if (!out.empty() && out.back().y == r.y && out.back().x1 >= x0)
+      out.back().x1 = x1;
+    else
+      out.push_back({r.y, x0, x1});
+  }
+  return out;
+}
+
 }  // namespace
 
 Multigrid::Multigrid(int width, int height) : ones_(static_cast<std::size_t>(width), 1.0f) {
@@ -95,21 +112,16 @@ Multigrid::Multigrid(int width, int height) : ones_(static_cast<std::size_t>(wid
 }
 
 void Multigrid::set_runs(const std::vector<Run>& runs) {
-  std::vector<Run> here = runs;
+  std::vector<Run> filled = runs;
   for (Level& level : levels_) {
-    std::vector<Run> coarser = coarsen_runs(here);
+    for_cells_left(level.filled, filled, [&](int y, int x0, int x1) {
+      for (WorkPlane* p : level.planes()) p->clear(x0, x1, y, y + 1);
+    });
+    std::vector<Run> here =
+        &level == &levels_.front() ? filled : whole_vectors(filled, level.x.width());
+    level.filled = std::move(filled);
+    filled = coarsen_runs(here);
     level.index = RunIndex(std::move(here), level.x.height());
-    here = std::move(coarser);
-  }
-}
-
-void Multigrid::clear(int x0, int x1, int y0, int y1) {
-  for (Level& level : levels_) {
-    for (WorkPlane* p : level.planes()) p->clear(x0, x1, y0, y1);
-    x0 /= 2;
-    y0 /= 2;
-    x1 = (x1 + 1) / 2;
-    y1 = (y1 + 1) / 2;
   }
 }
 
@@ -145,7 +157,7 @@ void Multigrid::prepare(int levels, const Threads& threads) {
 }
 
 // Whether fine run `r` lies in the last row that belongs to its coarse row. The row above it has
-// the same runs, for a tile is a whole number of coarse cells.
+// the same runs (set_runs).
 bool Multigrid::below_coarse_row(const Run& r) const {
   return (r.y & 1) != 0 || r.y + 1 == levels_[0].x.height();
 }

@@ -1,9 +1,9 @@
 #pragma once
-// Solves z x - div(c grad x) = rhs (multigrid_rows.h) on the awake part of a grid by a fixed number
-// of V-cycles. It never takes a norm and sums nothing over the grid, so the result is a fixed
-// expression of the input: the same bits for any number of threads.
+// Solves z x - div(c grad x) = rhs (multigrid_rows.h) on a part of a grid, its runs, by a fixed
+// number of V-cycles. It never takes a norm and sums nothing over the grid, so the result is a
+// fixed expression of the input: the same bits for any number of threads.
 //
-// Nodes beyond the runs must hold zeros on all planes; clear() sets them. The couplings to them are
+// Nodes beyond the runs hold zeros on all planes: set_runs() sets them. The couplings to them are
 // 0.
 
 #include <array>
@@ -29,12 +29,11 @@ class Multigrid {
   WorkPlane& rhs() { return levels_[0].rhs; }
   WorkPlane& solution() { return levels_[0].x; }
 
-  /// Sets the nodes to solve for, by rows.
+  /// Sets the nodes to solve for, by rows; both rows of a coarse one have the same. Writes zeros on
+  /// all planes of all levels over the nodes that were among them before and are not now.
   void set_runs(const std::vector<Run>& runs);
-  /// Writes zeros on all planes of all levels, over the fine nodes [x0, x1) x [y0, y1).
-  void clear(int x0, int x1, int y0, int y1);
-  /// Gives back the memory of all planes of all levels, over these fine nodes, where they hold
-  /// zeros.
+  /// Gives back the memory of all planes of all levels, over the fine nodes [x0, x1) x [y0, y1),
+  /// where they hold zeros.
   void give_back(int x0, int x1, int y0, int y1);
   /// How many levels a system with couplings up to `coupling` (without unit, z = 1) needs: on each
   /// next level they are 4 times weaker, and at 0.3 sweeps alone do. At most as many as there are
@@ -59,7 +58,8 @@ class Multigrid {
  private:
   struct Level {
     WorkPlane cx, cy, z, inverse, rhs, x, other;
-    RunIndex index;
+    RunIndex index;           // those that passes go over: `filled`, by whole vectors
+    std::vector<Run> filled;  // nodes that the next finer grid writes its system and residual to
     const float* ones = nullptr;  // in place of every row of z; nullptr: z is read
 
     std::array<WorkPlane*, 7> planes() { return {&cx, &cy, &z, &inverse, &rhs, &x, &other}; }

@@ -90,23 +90,21 @@ void coarsen_cy_row(const float* __restrict lower, int n, float* __restrict out)
 namespace {
 
 // One fine node: half of the coarse node over it, a quarter of each nearer neighbour.
-inline float corrected(float x, float middle, float beside, float across, float couplings) {
+inline float corrected(float x, float middle, float beside, float across, float inverse) {
   const float correction = 0.5f * middle + 0.25f * (beside + across);
-  return x + (couplings > 0 ? correction : 0.0f);
+  const float tied = (inverse > 0 ? 1.0f : 0.0f) * (inverse < 1 ? 1.0f : 0.0f);
+  return x + tied * correction;
 }
 
 }  // namespace
 
 PENTIMENTO_KERNEL
-void prolong_row(const ProlongRow& c, const StencilRow& a, int n, float* __restrict x) {
+void prolong_row(const ProlongRow& c, const float* __restrict inverse, int n, float* __restrict x) {
   const float* __restrict coarse = c.coarse;
   const float* __restrict over = c.coarse_over;
   const float* __restrict joined = c.coupling_x;
   const float* __restrict joined_over = c.coupling_over;
-  const float* __restrict cx = a.cx;
-  const float* __restrict above = a.cy_above;
-  const float* __restrict cy = a.cy;
-  // An odd n writes one node more, which has no couplings and stays as it is.
+  // An odd n writes one node more, whose inverse is 0 and which stays as it is.
   PENTIMENTO_INDEPENDENT
   for (int i = 0; i < (n + 1) / 2; ++i) {
     const float middle = coarse[i];
@@ -116,11 +114,8 @@ void prolong_row(const ProlongRow& c, const StencilRow& a, int n, float* __restr
     const float left = joined[i - 1] > 0 ? before : middle;
     const float right = joined[i] > 0 ? after : middle;
     const float across = joined_over[i] > 0 ? far : middle;
-    const float between = cx[2 * i];
-    const float even = (cx[2 * i - 1] + between) + (above[2 * i] + cy[2 * i]);
-    const float odd = (between + cx[2 * i + 1]) + (above[2 * i + 1] + cy[2 * i + 1]);
-    x[2 * i] = corrected(x[2 * i], middle, left, across, even);
-    x[2 * i + 1] = corrected(x[2 * i + 1], middle, right, across, odd);
+    x[2 * i] = corrected(x[2 * i], middle, left, across, inverse[2 * i]);
+    x[2 * i + 1] = corrected(x[2 * i + 1], middle, right, across, inverse[2 * i + 1]);
   }
 }
 

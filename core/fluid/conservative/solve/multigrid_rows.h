@@ -1,8 +1,9 @@
 #pragma once
 // Row kernels of the multigrid solver for
 //   z x - div(c grad x) = rhs   on a grid of nodes,
-// z > 0 the zero-order term, cx(i,j) the coupling of nodes i and i+1 of row j, cy(i,j) that of
-// (i,j) and (i,j+1), both >= 0 and scaled by the cell: one row of the system is
+// z > 0 the zero-order term, or 0 where there is no node, cx(i,j) the coupling of nodes i and i+1
+// of row j, cy(i,j) that of (i,j) and (i,j+1), both >= 0 and scaled by the cell: one row of the
+// system is
 //   (z + sum c) x_ij - sum c x_neighbour = rhs_ij.
 // All pointers point at the first node of a run and may be read one node to each side.
 // Source of all: Briggs, Henson, McCormick, A Multigrid Tutorial, SIAM 2000, ch. 3 and 4.
@@ -61,13 +62,14 @@ void coarsen_cy_row(const float* lower, int n, float* out);
 /// Scheme: linear on triangles, 2nd order.
 /// Stable: a convex combination.
 /// Source: Kwak, SIAM J. Sci. Comput. 21 (1999) 552-564.
-/// Departs from it: nothing is added where all fine couplings are 0.
+/// Departs from it: nothing is added where `inverse` is 1, to nodes that are tied to nothing, or 0,
+///   where there is no node.
 struct ProlongRow {
   const float* coarse;         // the node's own coarse row
   const float* coarse_over;    // the coarse row on the nearer side
   const float* coupling_x;     // coarse cx of the own row
   const float* coupling_over;  // coarse cy between the two coarse rows
 };
-void prolong_row(const ProlongRow& c, const StencilRow& a, int n, float* x);
+void prolong_row(const ProlongRow& c, const float* inverse, int n, float* x);
 
 }  // namespace pentimento::conservative

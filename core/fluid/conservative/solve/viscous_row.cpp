@@ -34,7 +34,7 @@ void viscous_row(const ViscousNodes& nodes, float per_dx2, float per_dy2, int n,
     const float u = velocity[i] * (wet ? 1.0f : 0.0f);
     cx[i] = joint_x * ((wet & (right > 0)) ? 1.0f : 0.0f);
     cy[i] = joint_y * ((wet & (down > 0)) ? 1.0f : 0.0f);
-    z[i] = 1 + (held_x + held_y);
+    z[i] = (wet ? 1.0f : 0.0f) + (held_x + held_y);  // held_x and held_y are 0 where dry
     rhs[i] = u;
   }
 }

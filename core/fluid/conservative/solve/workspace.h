@@ -1,7 +1,7 @@
 #pragma once
 // The planes of one step of the conservative scheme that more than one pass needs. All are zero
-// where the canvas sleeps, those of the solver also in tiles that are not live. Nodes of the
-// velocity: x nodes are the right faces of cells, y nodes the lower faces.
+// where no cell is wet (wet_cells.h), those of the solver also in tiles that are not live. Nodes of
+// the velocity: x nodes are the right faces of cells, y nodes the lower faces.
 
 #include "core/canvas/canvas_state.h"
 #include "core/fluid/conservative/solve/multigrid.h"

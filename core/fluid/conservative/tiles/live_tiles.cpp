@@ -8,18 +8,20 @@ void LiveTiles::find(const SleepTiles& tiles, const Threads& threads,
                      const std::function<bool(int)>& stirs) {
   const std::vector<int>& awake = tiles.awake_tiles();
   live_.resize(static_cast<std::size_t>(tiles.count()), 0);
-  was_live_ = live_;
   std::fill(live_.begin(), live_.end(), std::uint8_t{0});
   threads.for_ranges(0, static_cast<int>(awake.size()), 16, [&](int begin, int end) {
     for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k)
       live_[static_cast<std::size_t>(awake[k])] = stirs(awake[k]) ? 1 : 0;
   });
   spread(tiles);
-  runs_ = tiles.runs_of(live_);
-  gone_.clear();
-  for (int tile = 0; tile < tiles.count(); ++tile)
-    if (was_live_[static_cast<std::size_t>(tile)] && !live_[static_cast<std::size_t>(tile)])
-      gone_.push_back(tile);
+}
+
+std::vector<Run> LiveTiles::live_of(const std::vector<Run>& runs, const SleepTiles& tiles) const {
+  std::vector<Run> out;
+  for (const Run& r : runs)
+    if (live(r.y / tiles.tile_height() * tiles.columns() + r.x0 / tiles.tile_width()))
+      out.push_back(r);
+  return out;
 }
 
 // Makes every awake tile live that a live tile reaches over sides of awake tiles.

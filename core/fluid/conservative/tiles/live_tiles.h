@@ -20,19 +20,16 @@ class LiveTiles {
   /// `stirs(tile)`: whether paint moves or gives way in this tile. It is asked on several threads.
   void find(const SleepTiles& tiles, const Threads& threads,
             const std::function<bool(int tile)>& stirs);
-  bool any() const { return !runs_.empty(); }
-  /// The cells of live tiles.
-  const std::vector<Run>& runs() const { return runs_; }
-  /// The tiles that were live at the last find() and are not now.
-  const std::vector<int>& gone() const { return gone_; }
+  bool live(int tile) const { return live_[static_cast<std::size_t>(tile)] != 0; }
+  /// Those of `runs` that lie in live tiles. Awake tiles side by side are all live, or none is: so
+  /// are the cells of a run.
+  std::vector<Run> live_of(const std::vector<Run>& runs, const SleepTiles& tiles) const;
 
  private:
   void spread(const SleepTiles& tiles);
 
-  std::vector<std::uint8_t> live_, was_live_;
+  std::vector<std::uint8_t> live_;
   std::vector<int> edge_;  // live tiles whose neighbours have not been looked at
-  std::vector<Run> runs_;
-  std::vector<int> gone_;
 };
 
 }  // namespace pentimento::conservative

@@ -60,7 +60,6 @@ SleepTiles::SleepTiles(const CanvasGeometry& geometry, float tile_m)
       columns_((width_ + tile_width_ - 1) / tile_width_),
       rows_((height_ + tile_height_ - 1) / tile_height_),
       awake_(static_cast<std::size_t>(count()), 0),
-      was_awake_(awake_),
       disturbed_(awake_),
       moving_(awake_) {}
 
@@ -147,6 +146,7 @@ void SleepTiles::wake_around(const Motion& motion) {
 }
 
 void SleepTiles::wake_touched(const BrushContact& contact) {
+  touched_ = {};
   if (contact.empty()) return;
   const int begin = contact.row_begin / tile_height_ * columns_;
   const int end = ((contact.row_end - 1) / tile_height_ + 1) * columns_;
@@ -155,6 +155,14 @@ void SleepTiles::wake_touched(const BrushContact& contact) {
     if (touch.box.empty()) continue;
     disturbed_[static_cast<std::size_t>(tile)] = 1;
     wake_around(touch);
+    const int travel_x = cells_travelled(touch.travel_x);
+    const int travel_y = cells_travelled(touch.travel_y);
+    const CellBox near{touch.box.x0 - travel_x, touch.box.x1 + travel_x, touch.box.y0 - travel_y,
+                       touch.box.y1 + travel_y};
+    touched_ = touched_.empty()
+                   ? near
+                   : CellBox{std::min(touched_.x0, near.x0), std::max(touched_.x1, near.x1),
+                             std::min(touched_.y0, near.y0), std::max(touched_.y1, near.y1)};
   }
 }
 
@@ -178,8 +186,7 @@ void SleepTiles::rest_fresh(CanvasState& state, const StepInput& in) const {
   }
 }
 
-std::vector<int> SleepTiles::wake(const CanvasState& state, const StepInput& in) {
-  was_awake_ = awake_;
+void SleepTiles::wake(const CanvasState& state, const StepInput& in) {
   std::fill(moving_.begin(), moving_.end(), std::uint8_t{0});
   const bool remembers = state.sleep.size() == awake_.size() * kSleepValues;
   for (std::size_t tile = 0; tile < awake_.size(); ++tile)
@@ -205,12 +212,6 @@ std::vector<int> SleepTiles::wake(const CanvasState& state, const StepInput& in)
   list_awake();
   runs_ = runs_of(awake_);
   list_strips();
-
-  std::vector<int> gone;
-  for (int tile = 0; tile < count(); ++tile)
-    if (was_awake_[static_cast<std::size_t>(tile)] && !awake_[static_cast<std::size_t>(tile)])
-      gone.push_back(tile);
-  return gone;
 }
 
 void SleepTiles::fall_asleep(CanvasState& state, const StepInput& in,

@@ -46,6 +46,8 @@ class SleepTiles {
   }
   /// How far the fastest awake paint comes in one step, in cells. Known after wake().
   float travel_cells() const { return travel_cells_; }
+  /// What the brush touches, and what it may push paint to. Known after wake().
+  const CellBox& touched() const { return touched_; }
   /// Whether any paint moves at the start of the step. Known after wake().
   bool moves() const { return moves_; }
   double awake_share() const { return static_cast<double>(list_.size()) / count(); }
@@ -55,9 +57,8 @@ class SleepTiles {
   /// The cells of the tiles whose flag is not 0, as runs.
   std::vector<Run> runs_of(const std::vector<std::uint8_t>& tiles) const;
 
-  /// Decides which tiles are awake in this step. Returns the tiles that were awake before and are
-  /// not now.
-  std::vector<int> wake(const CanvasState& state, const StepInput& in);
+  /// Decides which tiles are awake in this step.
+  void wake(const CanvasState& state, const StepInput& in);
   /// Writes into the sleep of a fresh canvas (StepInput::fresh) what a step that computed all tiles
   /// would write for those that wake() has left asleep.
   void rest_fresh(CanvasState& state, const StepInput& in) const;
@@ -66,7 +67,7 @@ class SleepTiles {
   void fall_asleep(CanvasState& state, const StepInput& in,
                    const std::function<bool(const CellBox&)>& feels_gravity);
 
-  /// The awake cells: as runs, and as strips, which are columns of awake tiles, one tile wide.
+  /// The cells of awake tiles: as runs, and as strips, which are columns of tiles, one tile wide.
   const std::vector<Run>& runs() const { return runs_; }
   const std::vector<CellBox>& strips() const { return strips_; }
   /// Calls body(x0, x1) for the cells [x0, x1) of run `r` whose lower face is open: the cell below
@@ -77,7 +78,8 @@ class SleepTiles {
     if (r.y + 1 >= height_) return;
     if (below == r.y / tile_height_) return body(r.x0, r.x1);
     for (int c = r.x0 / tile_width_; c * tile_width_ < r.x1; ++c)
-      if (awake(c, below)) body(c * tile_width_, std::min((c + 1) * tile_width_, width_));
+      if (awake(c, below))
+        body(std::max(c * tile_width_, r.x0), std::min((c + 1) * tile_width_, r.x1));
   }
   /// Calls body(x0, x1) for the cells [x0, x1) beside run `r` in row y, above or below it, that
   /// sleep. Row y may lie beyond the canvas.
@@ -86,7 +88,7 @@ class SleepTiles {
     if (y < 0 || y >= height_ || y / tile_height_ == r.y / tile_height_) return;
     for (int c = r.x0 / tile_width_; c * tile_width_ < r.x1; ++c)
       if (!awake(c, y / tile_height_))
-        body(c * tile_width_, std::min((c + 1) * tile_width_, width_));
+        body(std::max(c * tile_width_, r.x0), std::min((c + 1) * tile_width_, r.x1));
   }
 
  private:
@@ -107,10 +109,11 @@ class SleepTiles {
   int width_, height_;
   float dx_m_, dy_m_;
   int tile_width_, tile_height_, columns_, rows_;
-  std::vector<std::uint8_t> awake_, was_awake_;
+  std::vector<std::uint8_t> awake_;
   std::vector<std::uint8_t> disturbed_;  // touched, or with moving paint at the start of the step
   std::vector<std::uint8_t> moving_;     // with moving paint at the start of the step
   float travel_cells_ = 0;
+  CellBox touched_;
   bool moves_ = false;
   std::vector<int> list_;
   std::vector<Run> runs_;

@@ -62,6 +62,41 @@ TEST(ContactLine, CellsWiderThanTheReachStillSeeTheirOwn) {
   EXPECT_FLOAT_EQ(friction, 0.75f);
 }
 
+TEST(ContactLine, SumsInTheSameOrderNearTheSidesOfTheCanvas) {
+  // A rough film of 40 x 40 cells, and the part of it that a face at (20, 20) can see with no cell
+  // to spare, so that what is read around it ends at the sides of the canvas.
+  const auto rough = [](int x, int y) {
+    return y > 20 ? 0.0f : kHeld + 1e-4f * static_cast<float>((x * 7 + y * 13) % 19);
+  };
+  const auto pinned = [&](Axis axis, int left, int top, int right, int bottom) {
+    Field<float> f(right - left, bottom - top);
+    for (int y = top; y < bottom; ++y)
+      for (int x = left; x < right; ++x)
+        f(x - left, y - top) = axis == Axis::kY ? rough(x, y) : rough(y, x);
+    float friction = 1;
+    ContactLine(kHeld, kReach, kCell, kCell).pin_row(f, axis, 20 - left, 20 - top, 1, &friction);
+    return friction;
+  };
+  for (const Axis axis : {Axis::kX, Axis::kY}) {
+    const float far = pinned(axis, 0, 0, 40, 40);
+    EXPECT_GT(far, 0.0f);
+    EXPECT_LT(far, 1.0f);
+    EXPECT_EQ(pinned(axis, 17, 17, 25, 25), far);
+    EXPECT_EQ(pinned(axis, 17, 0, 40, 40), far);
+    EXPECT_EQ(pinned(axis, 0, 0, 25, 25), far);
+  }
+}
+
+TEST(ContactLine, PinsEveryEdgeOfALongRow) {
+  Field<float> stripes(1000, 32);
+  for (int y = 0; y < 32; ++y)
+    for (int x = 0; x < 1000; ++x) stripes(x, y) = x / 50 % 2 == 0 ? kHeld : 0.0f;
+  std::vector<float> friction(999, 1.0f);
+  ContactLine(kHeld, kReach, kCell, kCell).pin_row(stripes, Axis::kX, 0, 16, 999, friction.data());
+  for (int x = 0; x < 999; ++x)
+    EXPECT_EQ(friction[static_cast<std::size_t>(x)] < 1, x % 50 == 49) << x;
+}
+
 TEST(ContactLine, LeavesAShallowPuddleAsItIs) {
   Basin b({64, 64, 0.064, 0.064});
   b.fill_depth([](int x, int y) { return x > 16 && x < 48 && y > 16 && y < 48 ? 0.002f : 0.0f; });

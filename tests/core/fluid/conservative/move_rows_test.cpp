@@ -73,10 +73,12 @@ TEST_P(MoveRows, PaintLandsWhereThePlainTwinPutsIt) {
                            followed ? &edges : nullptr};
         SleepTiles tiles(b->state.geometry, b->model.sleep_tile_m);
         tiles.wake(b->state, in);
+        WetCells wet;
+        wet.find_all(tiles);
         if (b == &fast)
-          advect_paint(b->state, in, axis, tiles);
+          advect_paint(b->state, in, axis, wet);
         else
-          advect_paint_in_batches(b->state, in, axis, tiles);
+          advect_paint_in_batches(b->state, in, axis, wet);
       }
       EXPECT_TRUE(same_bits(fast.state.depth_m, plain.state.depth_m));
       for (std::size_t k = 0; k < fast.state.pigment.size(); ++k)
@@ -90,11 +92,13 @@ TEST_P(MoveRows, MomentumGoesWhereThePlainTwinPutsIt) {
   const StepInput in{b.model, b.gravity_m_s2, b.dt_s, b.contact, b.amount, b.pool};
   SleepTiles tiles(b.state.geometry, b.model.sleep_tile_m);
   tiles.wake(b.state, in);
+  WetCells wet;
+  wet.find_all(tiles);
   Workspace fast(b.state.geometry), plain(b.state.geometry);
-  for (Workspace* w : {&fast, &plain}) fill_node_masses(b.state, tiles, b.pool, *w);
+  for (Workspace* w : {&fast, &plain}) fill_node_masses(b.state, wet, b.pool, *w);
   for (const Turn turn : {Turn::kFirst, Turn::kSecond}) {
-    advect_momentum(b.state, in, Axis::kY, turn, tiles, fast);
-    advect_momentum_in_batches(b.state, in, Axis::kY, turn, tiles, plain);
+    advect_momentum(b.state, in, Axis::kY, turn, wet, fast);
+    advect_momentum_in_batches(b.state, in, Axis::kY, turn, wet, plain);
   }
   const auto expect_same = [](const WorkPlane& a, const WorkPlane& c) {
     for (int y = 0; y < a.height(); ++y)

@@ -153,8 +153,8 @@ class PlainPaintMover {
 };
 
 inline void advect_paint_in_batches(CanvasState& state, const StepInput& in, Axis axis,
-                                    const SleepTiles& tiles) {
-  for_batches(tiles, axis, in.threads, [&](int begin, int end, const auto& block_at) {
+                                    const WetCells& wet) {
+  for_batches(wet, axis, in.threads, [&](int begin, int end, const auto& block_at) {
     PlainPaintMover mover(state, in, axis);
     for (int k = begin; k < end; ++k) mover.move(block_at(k));
   });

@@ -24,7 +24,7 @@ struct Tiles {
   std::set<int> find(LiveTiles& live, const std::set<int>& stirring) const {
     live.find(tiles, pool, [&](int tile) { return stirring.count(tile) != 0; });
     std::set<int> found;
-    for (const Run& r : live.runs())
+    for (const auto& r : live.live_of(tiles.runs(), tiles))
       for (int x = r.x0; x < r.x1; ++x) found.insert(r.y / 8 * 8 + x / 8);
     return found;
   }
@@ -45,23 +45,6 @@ TEST(LiveTiles, SpreadOverSidesOfAwakeTiles) {
   EXPECT_EQ(canvas.find(live, {0, 5}), (std::set<int>{0, 1, 2, 5, 13, 21}));
 }
 
-TEST(LiveTiles, TellWhichAreLiveNoLonger) {
-  const Tiles canvas({0, 1, 5});
-  LiveTiles live;
-  canvas.find(live, {0, 5});
-  EXPECT_TRUE(live.gone().empty());
-  canvas.find(live, {5});
-  EXPECT_EQ(live.gone(), (std::vector<int>{0, 1}));
-  canvas.find(live, {});
-  EXPECT_EQ(live.gone(), (std::vector<int>{5}));
-  EXPECT_FALSE(live.any());
-  // A live tile that falls asleep is gone, too.
-  canvas.find(live, {5});
-  const Tiles asleep({0});
-  asleep.find(live, {});
-  EXPECT_EQ(live.gone(), (std::vector<int>{5}));
-}
-
 TEST(LiveTiles, AreTheSameForAnyThreads) {
   std::set<int> awake;
   for (int tile = 0; tile < 32; ++tile) awake.insert(tile);
@@ -69,8 +52,9 @@ TEST(LiveTiles, AreTheSameForAnyThreads) {
   LiveTiles one, many;
   canvas.find(one, {17});
   many.find(canvas.tiles, Threads(7), [](int tile) { return tile == 17; });
-  ASSERT_EQ(one.runs().size(), many.runs().size());
-  EXPECT_EQ(one.runs().size(), 32u) << "one run for each row of cells";
+  const auto& all = canvas.tiles.runs();
+  EXPECT_EQ(one.live_of(all, canvas.tiles).size(), 32u) << "one run for each row of cells";
+  EXPECT_EQ(many.live_of(all, canvas.tiles).size(), 32u);
 }
 
 }  // namespace
