@@ -1,6 +1,7 @@
 #include "core/fluid/rheology.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "core/base/kernel.h"
@@ -19,6 +20,25 @@ PENTIMENTO_KERNEL
 void add_share_row(float share, const float* __restrict pigment, std::size_t count,
                    float* __restrict out) {
   for (std::size_t i = 0; i < count; ++i) out[i] += share * pigment[i];
+}
+
+// Four planes of pigment, and their shares of the amount.
+struct FourPlanes {
+  std::array<const float*, 4> pigment;
+  std::array<float, 4> share;
+};
+
+// The same for one plane after the other, with `out` read and written once.
+PENTIMENTO_KERNEL
+void add_four_shares_row(const FourPlanes& planes, std::size_t count, float* __restrict out) {
+  const float* __restrict a = planes.pigment[0];
+  const float* __restrict b = planes.pigment[1];
+  const float* __restrict c = planes.pigment[2];
+  const float* __restrict d = planes.pigment[3];
+  const auto [share_a, share_b, share_c, share_d] = planes.share;
+  PENTIMENTO_INDEPENDENT
+  for (std::size_t i = 0; i < count; ++i)
+    out[i] = (((out[i] + share_a * a[i]) + share_b * b[i]) + share_c * c[i]) + share_d * d[i];
 }
 
 float smooth_step(float t) {
@@ -52,12 +72,20 @@ void total_amount_row(const CanvasState& state, const std::vector<float>& amount
                       int end, std::span<float> out) {
   const auto count = static_cast<std::size_t>(end - begin);
   std::fill_n(out.begin(), count, 0.0f);
+  FourPlanes waiting{};
+  std::size_t planes = 0;
   for (int layer = 0; layer < state.layers; ++layer)
     for (int c = 0; c < state.channels; ++c) {
       const float share = amount[static_cast<std::size_t>(c)];
       if (share == 0.0f) continue;
-      add_share_row(share, state.channel(layer, c).row(y) + begin, count, out.data());
+      waiting.pigment[planes] = state.channel(layer, c).row(y) + begin;
+      waiting.share[planes] = share;
+      if (++planes < waiting.share.size()) continue;
+      add_four_shares_row(waiting, count, out.data());
+      planes = 0;
     }
+  for (std::size_t k = 0; k < planes; ++k)
+    add_share_row(waiting.share[k], waiting.pigment[k], count, out.data());
 }
 
 namespace {

@@ -74,6 +74,12 @@ bool any_gives_way(const float* mobility, const float* friction, int n) {
   return any != 0;
 }
 
+PENTIMENTO_KERNEL
+void height_row(const float* __restrict base, const float* __restrict depth, int n,
+                float* __restrict height) {
+  for (int i = 0; i < n; ++i) height[i] = base[i] + depth[i];
+}
+
 FaceRow faces_at(NodePlanes& n, int x, int y) {
   return {n.depth_m.row(y) + x, n.mobility_frac.row(y) + x, n.viscosity_m2_s.row(y) + x,
           n.friction_frac.row(y) + x};
@@ -229,9 +235,7 @@ void ConservativeScheme::find_rheology(const CanvasState& state, const StepInput
   const Rheology rheology = make_rheology(in.model);
   const auto n = static_cast<std::size_t>(r.size());
   const float* depth = state.depth_m.row(r.y) + r.x0;
-  const float* base = state.base_m.row(r.y) + r.x0;
-  float* height = work_.height_m.row(r.y) + r.x0;
-  for (std::size_t i = 0; i < n; ++i) height[i] = base[i] + depth[i];
+  height_row(state.base_m.row(r.y) + r.x0, depth, r.size(), work_.height_m.row(r.y) + r.x0);
   // The total amounts are needed only here: they use the memory of the crowding, which is not known
   // yet.
   const std::span<float> amount{work_.crowding_m_s2.row(r.y) + r.x0, n};

@@ -62,5 +62,23 @@ TEST(Rheology, ThinFilmsFeelNoGravity) {
   EXPECT_FLOAT_EQ(nu[3], 1e-2f);
 }
 
+TEST(Rheology, TheTotalAmountIsSummedPlaneAfterPlane) {
+  // 3 layers of 3 channels, of which one does not count: 6 planes, four of them at once.
+  CanvasState s = make_canvas_state({40, 2, 0.04, 0.002}, 3, 3, 1, 0);
+  const std::vector<float> amount{0.7f, 0, 1.3f};
+  for (std::size_t k = 0; k < s.pigment.size(); ++k)
+    for (int x = 0; x < 40; ++x)
+      s.pigment[k](x, 1) = 0.1f * static_cast<float>((static_cast<int>(k) * 7 + x * 3) % 11);
+  std::vector<float> out(35);
+  total_amount_row(s, amount, 1, 2, 37, out);
+  for (int x = 2; x < 37; ++x) {
+    float sum = 0;
+    for (int layer = 0; layer < 3; ++layer)
+      for (const int c : {0, 2})
+        sum += amount[static_cast<std::size_t>(c)] * s.channel(layer, c)(x, 1);
+    EXPECT_EQ(out[static_cast<std::size_t>(x - 2)], sum) << x;
+  }
+}
+
 }  // namespace
 }  // namespace pentimento

@@ -110,9 +110,9 @@ class PaintRow {
     for (int k = 0; k < state_.layers; ++k) {
       float* layer = cells(layer_[at(k)]);
       std::fill_n(layer, n_, 0.0f);
-      for (int c = 0; c < state_.channels; ++c)
-        painted_[at(k * state_.channels + c)] =
-            weigh_row(row_of(state_.channel(k, c)), in_.amount[at(c)], n_, layer);
+      weigh_channels(
+          state_.channels, in_.amount.data(), [&](int c) { return row_of(state_.channel(k, c)); },
+          n_, layer, [&](int c, bool some) { painted_[at(k * state_.channels + c)] = some; });
       if (k == 0) free_row(in_.model.pigment_residue, n_, layer, cells(share_));
       if (painted(k)) add_row(layer, n_, cells(total_));
     }

@@ -209,12 +209,13 @@ class PaintStream {
       float* sum = layer.sum.row(0);
       std::fill_n(sum, n_, 0.0f);
       bool painted = false;
-      for (int c = 0; c < state_.channels; ++c) {
-        const float* amount = row_of(state_.channel(k, c), r);
-        const bool some = weigh_row(amount, in_.amount[as_size(c)], n_, sum);
-        layer.channels[as_size(c)].painted.at(r) = some;
-        painted |= some;
-      }
+      weigh_channels(
+          state_.channels, in_.amount.data(),
+          [&](int c) { return row_of(state_.channel(k, c), r); }, n_, sum,
+          [&](int c, bool some) {
+            layer.channels[as_size(c)].painted.at(r) = some;
+            painted |= some;
+          });
       layer.painted.at(r) = painted;
       if (k == 0 && painted) free_row(in_.model.pigment_residue, n_, sum, share);
       if (painted) add_row(sum, n_, total);

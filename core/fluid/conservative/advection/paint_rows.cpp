@@ -47,6 +47,27 @@ bool weigh_row(const float* __restrict amount, float weight, int n, float* __res
 }
 
 PENTIMENTO_KERNEL
+int weigh_four_rows(const std::array<const float*, 4>& amount, const float* weights, int n,
+                    float* __restrict sum) {
+  const float* __restrict a = amount[0];
+  const float* __restrict b = amount[1];
+  const float* __restrict c = amount[2];
+  const float* __restrict d = amount[3];
+  const float weight_a = weights[0], weight_b = weights[1], weight_c = weights[2],
+              weight_d = weights[3];
+  std::int32_t any_a = 0, any_b = 0, any_c = 0, any_d = 0;
+  PENTIMENTO_INDEPENDENT
+  for (int i = 0; i < n; ++i) {
+    any_a |= std::bit_cast<std::int32_t>(a[i]);
+    any_b |= std::bit_cast<std::int32_t>(b[i]);
+    any_c |= std::bit_cast<std::int32_t>(c[i]);
+    any_d |= std::bit_cast<std::int32_t>(d[i]);
+    sum[i] = (((sum[i] + weight_a * a[i]) + weight_b * b[i]) + weight_c * c[i]) + weight_d * d[i];
+  }
+  return (any_a != 0 ? 1 : 0) | (any_b != 0 ? 2 : 0) | (any_c != 0 ? 4 : 0) | (any_d != 0 ? 8 : 0);
+}
+
+PENTIMENTO_KERNEL
 void free_row(float residue, int n, float* __restrict sum_to_free, float* __restrict share) {
   PENTIMENTO_INDEPENDENT
   for (int i = 0; i < n; ++i) {

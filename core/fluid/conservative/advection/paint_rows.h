@@ -3,6 +3,8 @@
 // edges, which layers a cell has, how much of the bottom layer is free. All are pointwise and
 // exact: they have no scheme, and nothing evolves.
 
+#include <array>
+
 namespace pentimento::conservative {
 
 /// out = (u dt) per_m: displacement by the velocity, in cells. `per_m`: cells per metre.
@@ -16,6 +18,22 @@ void depth_edge_row(const float* flow, const float* push, int n, float* out);
 void flow_of_edge_row(const float* edge, const float* push, int n, float* flow);
 /// sum += weight amount. Returns whether any value of `amount` is not 0.
 bool weigh_row(const float* amount, float weight, int n, float* sum);
+/// The same for four rows, one after the other. Bit k of what it returns is that of row k.
+int weigh_four_rows(const std::array<const float*, 4>& amount, const float* weights, int n,
+                    float* sum);
+/// The same for all channels of a layer: row_of(c) is the row of channel c, and found(c, some) is
+/// told whether any of its values is not 0.
+template <typename RowOf, typename Found>
+void weigh_channels(int channels, const float* weights, const RowOf& row_of, int n, float* sum,
+                    const Found& found) {
+  int c = 0;
+  for (; c + 4 <= channels; c += 4) {
+    const int some = weigh_four_rows({row_of(c), row_of(c + 1), row_of(c + 2), row_of(c + 3)},
+                                     weights + c, n, sum);
+    for (int k = 0; k < 4; ++k) found(c + k, (some >> k & 1) != 0);
+  }
+  for (; c < channels; ++c) found(c, weigh_row(row_of(c), weights[c], n, sum));
+}
 /// Turns the sum of pigment into the part of it that exceeds `residue`, and finds the share that
 /// this part is of the sum (R19).
 void free_row(float residue, int n, float* sum_to_free, float* share);

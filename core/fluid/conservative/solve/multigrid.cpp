@@ -33,6 +33,12 @@ void sweep(const Level& l, const Run& r, const WorkPlane& from, WorkPlane& to, f
              nodes_at(from, r.x0, r.y), weight, r.size(), to.row(r.y) + r.x0);
 }
 template <typename Level>
+void first_sweep(Level& l, const Run& r, const WorkPlane& guess) {
+  first_smooth_row(stencil_at(l.cx, l.cy, r.x0, r.y), l.z_row(r.y) + r.x0, l.rhs.row(r.y) + r.x0,
+                   nodes_at(guess, r.x0, r.y), kDownA, r.size(), l.inverse.row(r.y) + r.x0,
+                   l.other.row(r.y) + r.x0);
+}
+template <typename Level>
 void first_sweep_from_zero(Level& l, const Run& r) {
   smooth_zero_row(l.inverse.row(r.y) + r.x0, l.rhs.row(r.y) + r.x0, kDownA, r.size(),
                   l.other.row(r.y) + r.x0);
@@ -178,17 +184,16 @@ void Multigrid::start(const Job& job, bool and_restrict, const Threads& threads)
   const std::vector<RowWork>& fill = job.fill;
   const WorkPlane& guess = job.guess != nullptr ? *job.guess : fine.x;
   const int filled = std::max(1, static_cast<int>(fill.size()));
-  for_stages(threads, fine.index, filled + (and_restrict ? 5 : 3), [&](int stage, const Run& r) {
+  for_stages(threads, fine.index, filled + (and_restrict ? 4 : 2), [&](int stage, const Run& r) {
     if (stage == 0) fetch_system(fine, r);
     // The caller's stages fill the system.
     if (stage < static_cast<int>(fill.size())) fill[static_cast<std::size_t>(stage)](r);
-    // Smoothing: the inverse diagonal, then two sweeps from the guess.
-    if (stage == filled) invert_diagonal(fine, r);
-    if (stage == filled + 1) sweep(fine, r, guess, fine.other, kDownA);
-    if (stage == filled + 2) sweep(fine, r, fine.other, fine.x, kDownB);
+    // Smoothing: two sweeps from the guess, and the inverse diagonal along with the first.
+    if (stage == filled) first_sweep(fine, r, guess);
+    if (stage == filled + 1) sweep(fine, r, fine.other, fine.x, kDownB);
     // What the sweeps left to do goes to the next grid.
-    if (stage == filled + 3) leave_residual(fine, r);
-    if (stage != filled + 4) return;
+    if (stage == filled + 2) leave_residual(fine, r);
+    if (stage != filled + 3) return;
     coarsen_system(r);
     coarsen_residual(r);
   });

@@ -35,6 +35,27 @@ void smooth_row(const StencilRow& a, const float* __restrict inverse, const floa
 }
 
 PENTIMENTO_KERNEL
+void first_smooth_row(const StencilRow& a, const float* __restrict z, const float* __restrict rhs,
+                      const NodeRow& x, float weight, int n, float* __restrict inverse,
+                      float* __restrict out) {
+  const float* __restrict cx = a.cx;
+  const float* __restrict above = a.cy_above;
+  const float* __restrict cy = a.cy;
+  const float* __restrict here = x.here;
+  const float* __restrict up = x.above;
+  const float* __restrict down = x.below;
+  PENTIMENTO_INDEPENDENT
+  for (int i = 0; i < n; ++i) {
+    const float diagonal = z[i] + ((cx[i - 1] + cx[i]) + (above[i] + cy[i]));
+    const float inverted = diagonal > 0 ? 1 / (diagonal > 0 ? diagonal : 1.0f) : 0.0f;
+    const float sum =
+        (cx[i - 1] * here[i - 1] + cx[i] * here[i + 1]) + (above[i] * up[i] + cy[i] * down[i]);
+    inverse[i] = inverted;
+    out[i] = (1 - weight) * here[i] + weight * inverted * (rhs[i] + sum);
+  }
+}
+
+PENTIMENTO_KERNEL
 void smooth_zero_row(const float* __restrict inverse, const float* __restrict rhs, float weight,
                      int n, float* __restrict out) {
   PENTIMENTO_INDEPENDENT

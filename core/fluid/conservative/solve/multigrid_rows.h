@@ -37,6 +37,10 @@ void inverse_diagonal_row(const StencilRow& a, const float* z, int n, float* inv
 void smooth_row(const StencilRow& a, const float* inverse, const float* rhs, const NodeRow& x,
                 float weight, int n, float* out);
 
+/// inverse_diagonal_row(), and smooth_row() with that: the same bits, and couplings are read once.
+void first_smooth_row(const StencilRow& a, const float* z, const float* rhs, const NodeRow& x,
+                      float weight, int n, float* inverse, float* out);
+
 /// The same sweep from x = 0: out = w inverse rhs.
 void smooth_zero_row(const float* inverse, const float* rhs, float weight, int n, float* out);
 

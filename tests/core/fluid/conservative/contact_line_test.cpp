@@ -66,7 +66,7 @@ TEST(ContactLine, SumsInTheSameOrderNearTheSidesOfTheCanvas) {
   // A rough film of 40 x 40 cells, and the part of it that a face at (20, 20) can see with no cell
   // to spare, so that what is read around it ends at the sides of the canvas.
   const auto rough = [](int x, int y) {
-    return y > 20 ? 0.0f : kHeld + 1e-4f * static_cast<float>((x * 7 + y * 13) % 19);
+    return y > 20 ? 0.0f : kHeld * (1.3f + std::sin(static_cast<float>(x * 7 + y * y)));
   };
   const auto pinned = [&](Axis axis, int left, int top, int right, int bottom) {
     Field<float> f(right - left, bottom - top);
@@ -85,6 +85,18 @@ TEST(ContactLine, SumsInTheSameOrderNearTheSidesOfTheCanvas) {
     EXPECT_EQ(pinned(axis, 17, 0, 40, 40), far);
     EXPECT_EQ(pinned(axis, 0, 0, 25, 25), far);
   }
+}
+
+TEST(ContactLine, DoesNotCountWhatLiesBeyondASideOfTheCanvas) {
+  // The film ends three columns to the left of the right side, where nothing of it lies beyond;
+  // then as near to the left side.
+  Field<float> right(32, 32), left(32, 32);
+  for (int y = 0; y < 16; ++y)
+    for (int x = 0; x < 32; ++x)
+      right(x, y) = left(31 - x, y) = kHeld * (1 + 0.02f * static_cast<float>(x));
+  for (int from_side = 0; from_side < 6; ++from_side)
+    EXPECT_NEAR(left_below(right, 31 - from_side, 15), left_below(left, from_side, 15), 3e-6f)
+        << from_side;
 }
 
 TEST(ContactLine, PinsEveryEdgeOfALongRow) {

@@ -7,10 +7,11 @@
 namespace pentimento::conservative {
 namespace {
 
-// Three layers of patchy paint with a bare half, moving at `speed` cells a step at most, and a
-// brush in the middle.
+// Three layers of patchy paint of five channels with a bare half, moving at `speed` cells a step at
+// most, and a brush in the middle.
 Basin moving(float speed) {
-  Basin b({600, 150, 0.6, 0.15}, 3, 3);
+  Basin b({600, 150, 0.6, 0.15}, 3, 5);
+  b.amount = {1, 0.5f, 1, 2, 0.25f};
   const float to_m_s = 1e-3f / b.dt_s;
   for (int y = 0; y < 150; ++y)
     for (int x = 0; x < 600; ++x) {
@@ -18,7 +19,7 @@ Basin moving(float speed) {
       const float d = x % 37 < 5 ? 0.0f : 0x1p-26f * std::floor(6e5f * wave);
       b.state.depth_m(x, y) = d;
       for (int k = 0; k < 3; ++k)
-        for (int c = 0; c < 3; ++c)
+        for (int c = 0; c < 5; ++c)
           if (x < 300 || k == 0)
             b.state.channel(k, c)(x, y) =
                 c == 2 ? 0 : 0x1p-22f * std::floor(4e4f * wave) * (1 + y % 2);

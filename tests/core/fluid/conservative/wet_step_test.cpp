@@ -33,7 +33,7 @@ void happen(Basin& b, int step) {
     for (int y = 10; y < 18; ++y)
       for (int x = 50; x < 62; ++x) {
         b.contact.weight(x, y) = 1;
-        b.contact.push_x_m(x, y) = 0.0074f;
+        b.contact.push_x_m(x, y) = 1.0f;
         b.contact.push_y_m(x, y) = -0.002f;
         b.contact.touch(x, x + 1, y, y + 1);
       }
@@ -48,12 +48,15 @@ void happen(Basin& b, int step) {
   if (step == 25)
     for (int y = 4; y < 12; ++y)
       for (int x = 150; x < 170; ++x) b.state.depth_m(x, y) = 0x1p-8f;
-  // Gusts, so that steps are cut into parts and cells go far.
-  if (step % 16 == 7)
-    for (int y = 0; y < 128; ++y)
-      for (int x = 0; x < 191; ++x)
-        if (b.state.depth_m(x, y) > 0 && b.state.depth_m(x + 1, y) > 0)
-          b.state.velocity_x_m_s(x, y) = 0.3f;
+  // Gusts along x and along y, so that steps are cut into parts and cells go far.
+  if (step % 8 == 7)
+    for (int y = 0; y < 127; ++y)
+      for (int x = 0; x < 191; ++x) {
+        const bool along_x = step % 16 == 7;
+        if (!(b.state.depth_m(x, y) > 0)) continue;
+        if (!(b.state.depth_m(along_x ? x + 1 : x, along_x ? y : y + 1) > 0)) continue;
+        (along_x ? b.state.velocity_x_m_s : b.state.velocity_y_m_s)(x, y) = 1.0f;
+      }
   b.gravity_m_s2.x = step % 40 < 20 ? 3.0f : -3.0f;
 }
 

@@ -10,7 +10,7 @@ namespace {
 /// A system like a step's height equation: couplings 0 .. 2 `strength`, with walls and islands.
 struct Rough {
   Rough(int width, int height, float strength) : w(width), h(height), solver(width, height) {
-    std::vector<Run> runs;
+    std::vector<conservative::Run> runs;
     for (int y = 0; y < h; ++y) runs.push_back({y, 0, w});
     solver.set_runs(runs);
     for (int y = 0; y < h; ++y)
@@ -108,6 +108,44 @@ TEST(Multigrid, FinishSeesTheSolutionOfEachRunOnce) {
         EXPECT_EQ(middle[static_cast<std::size_t>(y)], rough.solver.solution().row(y)[48]);
       }
     }
+}
+
+TEST(Multigrid, NodesThatAreNoneMayBeLeftOut) {
+  // Two squares of nodes, 8 nodes from one another; on the first coarse grid they share a vector.
+  const auto is_node = [](int x, int y) {
+    return (x < 16 || (x >= 24 && x < 40)) && y >= 4 && y < 20;
+  };
+  const auto solved = [&](bool leave_out) {
+    Multigrid solver(96, 24);
+    std::vector<conservative::Run> runs;
+    for (int y = 0; y < 24; ++y) {
+      if (!leave_out) runs.push_back({y, 0, 96});
+      if (leave_out && is_node(0, y)) {
+        runs.push_back({y, 0, 16});
+        runs.push_back({y, 24, 40});
+      }
+    }
+    solver.set_runs(runs);
+    for (int y = 0; y < 24; ++y)
+      for (int x = 0; x < 96; ++x) {
+        if (!is_node(x, y)) continue;
+        solver.zero_order().row(y)[x] = 1;
+        solver.rhs().row(y)[x] = std::sin(0.3f * static_cast<float>(x + 7 * y));
+        solver.cx().row(y)[x] = x + 1 < 96 && is_node(x + 1, y) ? 40.0f : 0.0f;
+        solver.cy().row(y)[x] = is_node(x, y + 1) ? 40.0f : 0.0f;
+      }
+    solver.solve(2, 5, Threads(), {});
+    return solver;
+  };
+  Multigrid all = solved(false), some = solved(true);
+  for (int y = 0; y < 24; ++y)
+    for (int x = 0; x < 96; ++x)
+      EXPECT_EQ(all.solution().row(y)[x], some.solution().row(y)[x]) << x << " " << y;
+  EXPECT_NE(some.solution().row(10)[10], 0);
+  // What was left in nodes that are none any more is forgotten.
+  some.set_runs({{4, 0, 16}});
+  EXPECT_EQ(some.solution().row(10)[10], 0);
+  EXPECT_EQ(some.rhs().row(10)[30], 0);
 }
 
 TEST(Multigrid, SolvesATinySystemByHand) {
