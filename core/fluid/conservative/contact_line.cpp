@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <cstring>
 #include <utility>
 
 #include "core/base/kernel.h"
@@ -12,7 +13,15 @@ namespace {
 
 constexpr float kBareFrac = 0.02f;  // of e: thinner films are bare canvas
 
-// Marks the faces of a row that stand between a film and bare canvas.
+// Whether any face of a row stands between a film and bare canvas.
+PENTIMENTO_KERNEL
+bool any_edge(const float* __restrict a, const float* __restrict b, int n, float bare) {
+  int edges = 0;
+  for (int i = 0; i < n; ++i) edges |= (a[i] > bare ? 1 : 0) ^ (b[i] > bare ? 1 : 0);
+  return edges != 0;
+}
+
+// Marks those that do.
 PENTIMENTO_KERNEL
 void mark_edges(const float* __restrict a, const float* __restrict b, int n, float bare,
                 std::uint8_t* __restrict edge) {
@@ -111,11 +120,17 @@ void ContactLine::pin_row(const Field<float>& depth_m, Axis axis, int x, int y, 
     const int end = std::min(begin + kAtOnce, n);
     const float* a = depth_m.row(y) + x + begin;
     const float* b = axis == Axis::kX ? a + 1 : depth_m.row(y + 1) + x + begin;
+    // Most faces are no edge, and in most rows none is.
+    if (!any_edge(a, b, end - begin, bare)) continue;
     mark_edges(a, b, end - begin, bare, edge.data());
-    // Most faces are no edge.
-    const auto marks_end = edge.begin() + (end - begin);
-    for (auto i = edge.begin(); (i = std::find(i, marks_end, 1)) != marks_end; ++i) {
-      const int at = begin + static_cast<int>(i - edge.begin());
+    const auto next_edge = [&](int from) {
+      const std::uint8_t* first = edge.data() + (from - begin);
+      const void* found = std::memchr(first, 1, static_cast<std::size_t>(end - from));
+      return found == nullptr
+                 ? end
+                 : from + static_cast<int>(static_cast<const std::uint8_t*>(found) - first);
+    };
+    for (int at = next_edge(begin); at < end; at = next_edge(at + 1)) {
       const float ratio = depth_m_ / (2 * mean_depth(depth_m, taps, x + at, y));
       const float free = 1 - ratio * ratio;
       friction_frac[at] *= free > 0 ? free : 0.0f;
