@@ -26,12 +26,24 @@ bool any_wet(const std::uint32_t* wet, int n) {
   return any != 0;
 }
 
+// The end of the cells that belong together with x in run `r`.
+int end_of_cells(const Run& r, int x) {
+  return std::min((x / kCells + 1) * kCells, r.x1);
+}
+
+// Whether all cells of run `r` have paint within `reach` columns, as cut() sees it.
+bool all_near(const Run& r, const std::uint32_t* wet, int reach) {
+  for (int x = r.x0; x < r.x1; x = end_of_cells(r, x))
+    if (!any_wet(wet + (x - r.x0), end_of_cells(r, x) - x + 2 * reach)) return false;
+  return true;
+}
+
 // Appends the parts of run `r` that have paint within `reach` columns. wet[reach] is the run's
 // first column.
 void cut(const Run& r, const std::uint32_t* wet, int reach, std::vector<Run>& out) {
   const std::size_t before = out.size();
   for (int x = r.x0, end = 0; x < r.x1; x = end) {
-    end = std::min((x / kCells + 1) * kCells, r.x1);
+    end = end_of_cells(r, x);
     if (!any_wet(wet + (x - r.x0), end - x + 2 * reach)) continue;
     if (out.size() > before && x - out.back().x1 < WetCells::kLeastGap)
       out.back().x1 = end;
@@ -63,8 +75,17 @@ void WetCells::find(const SleepTiles& tiles, const Field<float>& depth_m, int re
         const int first = r.x0 - reach;  // column of wet[0]
         const int left = std::max(first, 0);
         const int right = std::min(r.x1 + reach, depth_m.width());
-        for (int y = top; y < bottom; ++y)
-          mark_wet_row(depth_m.row(y) + left, right - left, wet.data() + (left - first));
+        const auto mark = [&](int y0, int y1) {
+          for (int y = y0; y < y1; ++y)
+            mark_wet_row(depth_m.row(y) + left, right - left, wet.data() + (left - first));
+        };
+        mark(band.y0, band.y1);
+        if (all_near(r, wet.data(), reach)) {  // the rows beside it change nothing
+          band.runs.push_back(r);
+          continue;
+        }
+        mark(top, band.y0);
+        mark(band.y1, bottom);
         for (int x = std::max(left, touched.x0); touches && x < std::min(right, touched.x1); ++x)
           wet[static_cast<std::size_t>(x - first)] = 1;
         // ... and which part of the run is near them.
