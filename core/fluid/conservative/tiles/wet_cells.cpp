@@ -31,26 +31,57 @@ int end_of_cells(const Run& r, int x) {
   return std::min((x / kCells + 1) * kCells, r.x1);
 }
 
-// Whether all cells of run `r` have paint within `reach` columns, as cut() sees it.
-bool all_near(const Run& r, const std::uint32_t* wet, int reach) {
-  for (int x = r.x0; x < r.x1; x = end_of_cells(r, x))
-    if (!any_wet(wet + (x - r.x0), end_of_cells(r, x) - x + 2 * reach)) return false;
-  return true;
-}
+// In which columns around a run there is paint.
+struct WetColumns {
+  const CellBox& touched;
+  const Field<float>& depth_m;
+  int reach;
+  std::vector<std::uint32_t> wet;  // not 0 where there is; wet[reach] is the run's first column
 
-// Appends the parts of run `r` that have paint within `reach` columns. wet[reach] is the run's
-// first column.
-void cut(const Run& r, const std::uint32_t* wet, int reach, std::vector<Run>& out) {
-  const std::size_t before = out.size();
-  for (int x = r.x0, end = 0; x < r.x1; x = end) {
-    end = end_of_cells(r, x);
-    if (!any_wet(wet + (x - r.x0), end - x + 2 * reach)) continue;
-    if (out.size() > before && x - out.back().x1 < WetCells::kLeastGap)
-      out.back().x1 = end;
-    else
-      out.push_back({r.y, x, end});
+  // Marks the columns of run `r` in which rows [y0, y1) have paint.
+  void mark(const Run& r, int y0, int y1) {
+    const int left = std::max(r.x0 - reach, 0);
+    const int right = std::min(r.x1 + reach, depth_m.width());
+    std::uint32_t* first = wet.data() + (left - r.x0 + reach);
+    for (int y = std::max(y0, 0); y < std::min(y1, depth_m.height()); ++y)
+      mark_wet_row(depth_m.row(y) + left, right - left, first);
   }
-}
+  // Marks those that the brush touches in rows [y0, y1).
+  void mark_touched(const Run& r, int y0, int y1) {
+    if (touched.y0 >= y1 || touched.y1 <= y0) return;
+    const int right = std::min(r.x1 + reach, touched.x1);
+    for (int x = std::max(r.x0 - reach, touched.x0); x < right; ++x)
+      wet[static_cast<std::size_t>(x - r.x0 + reach)] = 1;
+  }
+  // Whether the cells [x, end) of run `r` lie within reach of a marked column.
+  bool near(const Run& r, int x, int end) const {
+    return any_wet(wet.data() + (x - r.x0), end - x + 2 * reach);
+  }
+  bool all_near(const Run& r) const {
+    for (int x = r.x0; x < r.x1; x = end_of_cells(r, x))
+      if (!near(r, x, end_of_cells(r, x))) return false;
+    return true;
+  }
+
+  // Appends the parts of run `r` of rows [y0, y1) that are within reach of paint, or of the brush.
+  void find_near(const Run& r, int y0, int y1, std::vector<Run>& out) {
+    wet.assign(static_cast<std::size_t>(r.size() + 2 * reach), 0);
+    mark(r, y0, y1);
+    if (all_near(r)) return out.push_back(r);  // the rows beside it change nothing
+    mark(r, y0 - reach, y0);
+    mark(r, y1, y1 + reach);
+    mark_touched(r, y0 - reach, y1 + reach);
+    const std::size_t before = out.size();
+    for (int x = r.x0, end = 0; x < r.x1; x = end) {
+      end = end_of_cells(r, x);
+      if (!near(r, x, end)) continue;
+      if (out.size() > before && x - out.back().x1 < WetCells::kLeastGap)
+        out.back().x1 = end;
+      else
+        out.push_back({r.y, x, end});
+    }
+  }
+};
 
 }  // namespace
 
@@ -59,38 +90,13 @@ void WetCells::find(const SleepTiles& tiles, const Field<float>& depth_m, int re
   list_bands(tiles);
   constexpr int kBandsPerTask = 8;  // some microseconds
   threads.for_ranges(0, static_cast<int>(bands_.size()), kBandsPerTask, [&](int begin, int end) {
-    std::vector<std::uint32_t> wet;
-    std::vector<Run> awake;
+    WetColumns columns{tiles.touched(), depth_m, reach, {}};
+    std::vector<Run> near;
     for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
       RowBand& band = bands_[k];
-      awake.swap(band.runs);
-      band.runs.clear();
-      const int top = std::max(band.y0 - reach, 0);
-      const int bottom = std::min(band.y1 + reach, depth_m.height());
-      const CellBox& touched = tiles.touched();
-      const bool touches = touched.y0 < bottom && touched.y1 > top;
-      for (const Run& r : awake) {
-        // Which columns have paint in any of these rows, ...
-        wet.assign(static_cast<std::size_t>(r.size() + 2 * reach), 0);
-        const int first = r.x0 - reach;  // column of wet[0]
-        const int left = std::max(first, 0);
-        const int right = std::min(r.x1 + reach, depth_m.width());
-        const auto mark = [&](int y0, int y1) {
-          for (int y = y0; y < y1; ++y)
-            mark_wet_row(depth_m.row(y) + left, right - left, wet.data() + (left - first));
-        };
-        mark(band.y0, band.y1);
-        if (all_near(r, wet.data(), reach)) {  // the rows beside it change nothing
-          band.runs.push_back(r);
-          continue;
-        }
-        mark(top, band.y0);
-        mark(band.y1, bottom);
-        for (int x = std::max(left, touched.x0); touches && x < std::min(right, touched.x1); ++x)
-          wet[static_cast<std::size_t>(x - first)] = 1;
-        // ... and which part of the run is near them.
-        cut(r, wet.data(), reach, band.runs);
-      }
+      near.clear();
+      for (const Run& r : band.runs) columns.find_near(r, band.y0, band.y1, near);
+      band.runs.swap(near);
     }
   });
   list_runs();
