@@ -1,7 +1,9 @@
 #include "core/fluid/conservative/conservative_scheme.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "core/base/kernel.h"
@@ -78,6 +80,12 @@ PENTIMENTO_KERNEL
 void height_row(const float* __restrict base, const float* __restrict depth, int n,
                 float* __restrict height) {
   for (int i = 0; i < n; ++i) height[i] = base[i] + depth[i];
+}
+
+// Writes zeros, where there is anything else: a plane takes no memory where nobody writes to it.
+void forget(float* begin, float* end) {
+  const auto is_some = [](float v) { return std::bit_cast<std::uint32_t>(v) != 0; };
+  if (std::any_of(begin, end, is_some)) std::fill(begin, end, 0.0f);
 }
 
 FaceRow faces_at(NodePlanes& n, int x, int y) {
@@ -261,11 +269,12 @@ void ConservativeScheme::find_wet(CanvasState& state, const StepInput& in, float
     wet_.find(*tiles_, state.depth_m, reach, in.threads);
   else
     wet_.find_all(*tiles_);
+  // The first part finds a fresh workspace, which holds zeros already, but any velocities.
   for_cells_left(knows_before_ ? wet_before_ : tiles_->runs(), wet_.runs(),
                  [&](int y, int x0, int x1) {
-                   work_.clear({x0, x1, y, y + 1});
+                   if (knows_before_) work_.clear({x0, x1, y, y + 1});
                    for (Field<float>* u : {&state.velocity_x_m_s, &state.velocity_y_m_s})
-                     std::fill(u->row(y) + x0, u->row(y) + x1, 0.0f);
+                     forget(u->row(y) + x0, u->row(y) + x1);
                  });
   wet_before_ = wet_.runs();
   knows_before_ = true;

@@ -12,9 +12,11 @@ namespace {
 
 constexpr int kWidth = 256, kHeight = 192;  // of the part that is compared
 
-// A blob of runny paint near the upper left corner of a canvas of cells of a millimetre.
+// A blob of runny paint near the upper left corner of a canvas of cells of a millimetre, on a film
+// that is too thin to move, so that all cells are wet.
 Basin blob_on(int width, int height) {
   Basin b({width, height, 0.001 * width, 0.001 * height});
+  b.fill_depth([](int, int) { return 0x1p-17f; });
   for (int y = 60; y < 100; ++y)
     for (int x = 100; x < 140; ++x) {
       b.state.depth_m(x, y) = 0.002f;
@@ -37,7 +39,7 @@ Basin blob_on(int width, int height) {
 TEST(LargeCanvas, GivesBackTheMemoryOfWhatSleepsAndPaintsAsASmallOneDoes) {
   Basin small = blob_on(kWidth, kHeight), large = blob_on(2560, 2048);
   small.steps(1);
-  large.steps(1);  // all is awake once
+  large.steps(1);  // all is awake once, and computed
   const long before_mib = resident_mib();
   // It runs over, rests, and is left alone for long enough; ...
   small.steps(4 * kStepsBetweenGivingBack);
