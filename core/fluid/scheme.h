@@ -26,8 +26,7 @@ struct StepInput {
   const Threads& threads;
   AdvectionListener* listener = nullptr;  // is told how paint moves; nullptr: nobody is
   // Whether the canvas was made or dried since the last step: no paint is wet but what the contact
-  // has left, and nothing moves. The cells of a far push are then counted from the canvas's edge,
-  // in all other steps from where its row of awake cells begins.
+  // has left, and nothing moves.
   bool fresh = false;
 };
 // gravity_m_s2 is what an accelerometer reads (specific force), so paint accelerates AGAINST it:

@@ -20,12 +20,12 @@ class LiveTiles {
   /// `stirs(tile)`: whether paint moves or gives way in this tile. It is asked on several threads.
   void find(const SleepTiles& tiles, const Threads& threads,
             const std::function<bool(int tile)>& stirs);
-  bool live(int tile) const { return live_[static_cast<std::size_t>(tile)] != 0; }
   /// Those of `runs` that lie in live tiles. Awake tiles side by side are all live, or none is: so
   /// are the cells of a run.
   std::vector<Run> live_of(const std::vector<Run>& runs, const SleepTiles& tiles) const;
 
  private:
+  bool live(int tile) const { return live_[static_cast<std::size_t>(tile)] != 0; }
   void spread(const SleepTiles& tiles);
 
   std::vector<std::uint8_t> live_;

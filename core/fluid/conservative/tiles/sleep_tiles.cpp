@@ -210,7 +210,7 @@ void SleepTiles::wake(const CanvasState& state, const StepInput& in) {
   disturbed_ = moving_;
   wake_touched(in.contact);
   list_awake();
-  runs_ = runs_of(awake_);
+  list_runs();
   list_strips();
 }
 
@@ -237,24 +237,23 @@ void SleepTiles::list_awake() {
     if (awake_[static_cast<std::size_t>(tile)]) list_.push_back(tile);
 }
 
-std::vector<Run> SleepTiles::runs_of(const std::vector<std::uint8_t>& tiles) const {
-  std::vector<Run> runs;
+void SleepTiles::list_runs() {
+  runs_.clear();
   for (int row = 0; row < rows_; ++row) {
-    const std::size_t first = runs.size();
+    const std::size_t first = runs_.size();
     const int y0 = row * tile_height_;
     for (int column = 0; column < columns_; ++column) {
-      if (!tiles[static_cast<std::size_t>(row * columns_ + column)]) continue;
+      if (!awake(column, row)) continue;
       const CellBox b = box(row * columns_ + column);
-      if (runs.size() > first && runs.back().x1 == b.x0)
-        runs.back().x1 = b.x1;
+      if (runs_.size() > first && runs_.back().x1 == b.x0)
+        runs_.back().x1 = b.x1;
       else
-        runs.push_back({y0, b.x0, b.x1});
+        runs_.push_back({y0, b.x0, b.x1});
     }
-    const std::size_t end = runs.size();
+    const std::size_t end = runs_.size();
     for (int y = y0 + 1; y < std::min(y0 + tile_height_, height_); ++y)
-      for (std::size_t k = first; k < end; ++k) runs.push_back({y, runs[k].x0, runs[k].x1});
+      for (std::size_t k = first; k < end; ++k) runs_.push_back({y, runs_[k].x0, runs_[k].x1});
   }
-  return runs;
 }
 
 void SleepTiles::list_strips() {

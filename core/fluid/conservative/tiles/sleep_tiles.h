@@ -54,8 +54,6 @@ class SleepTiles {
   const std::vector<int>& awake_tiles() const { return list_; }
   /// Whether any paint of a tile moves at the start of the step. Known after wake().
   bool moves(int tile) const { return moving_[static_cast<std::size_t>(tile)] != 0; }
-  /// The cells of the tiles whose flag is not 0, as runs.
-  std::vector<Run> runs_of(const std::vector<std::uint8_t>& tiles) const;
 
   /// Decides which tiles are awake in this step.
   void wake(const CanvasState& state, const StepInput& in);
@@ -104,6 +102,7 @@ class SleepTiles {
   void wake_touched(const BrushContact& contact);
   void wake_by_gravity(const CanvasState& state, const StepInput& in);
   void list_awake();
+  void list_runs();
   void list_strips();
 
   int width_, height_;
