@@ -17,6 +17,7 @@
 #include "core/simulation/make_scheme.h"
 #include "tests/bench/least_time.h"
 #include "tests/bench/running_canvas.h"
+#include "tests/core/fluid/conservative/plain_momentum.h"
 #include "tests/core/fluid/conservative/plain_paint.h"
 
 namespace pentimento::conservative {

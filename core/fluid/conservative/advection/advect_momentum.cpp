@@ -3,9 +3,10 @@
 #include "core/base/kernel.h"
 #include "core/fluid/conservative/advection/advection.h"
 #include "core/fluid/conservative/advection/line_batch.h"
+#include "core/fluid/conservative/advection/momentum_edges.h"
+#include "core/fluid/conservative/advection/momentum_stream.h"
 #include "core/fluid/conservative/advection/paint_rows.h"
 #include "core/fluid/conservative/advection/remap_momentum.h"
-#include "core/fluid/conservative/advection/remap_stream.h"
 
 namespace pentimento::conservative {
 namespace {
@@ -16,66 +17,6 @@ void node_mass_row(const float* __restrict depth_a, const float* __restrict dept
                    float* __restrict mass) {
   for (int i = 0; i < n; ++i) mass[i] = 0.5f * (depth_a[i] + depth_b[i]);
 }
-
-// A row of faces: their velocity and the paint around them.
-struct FaceFlow {
-  const float* velocity;
-  const float* mass;
-};
-
-// Displacement of an edge between two faces: the mean of their velocities weighted by mass, so that
-// a front beside bare canvas moves as fast as its paint.
-PENTIMENTO_KERNEL
-void mean_row(const FaceFlow& a, const FaceFlow& b, float to_cells, int n, float* __restrict edge) {
-  const float* __restrict mass_a = a.mass;
-  const float* __restrict mass_b = b.mass;
-  const float* __restrict u_a = a.velocity;
-  const float* __restrict u_b = b.velocity;
-  PENTIMENTO_INDEPENDENT
-  for (int i = 0; i < n; ++i) {
-    const float mass = mass_a[i] + mass_b[i];
-    const float momentum = mass_a[i] * u_a[i] + mass_b[i] * u_b[i];
-    edge[i] = mass > 0 ? to_cells * (momentum / (mass > 0 ? mass : 1.0f)) : 0.0f;
-  }
-}
-
-// An edge lies between two nodes. If x nodes move along x, or y nodes along y, the edge is the
-// centre of a cell, between the two faces of that cell. If nodes move across their axis, the edge
-// is the corner of a cell, between the two faces that meet there, of this column and the next or of
-// this row and the next.
-// `other`: how far the second face is from the first.
-struct Offset {
-  int x = 0, y = 0;
-};
-void fill_edges(const LineBatch& b, float to_cells, const Field<float>& velocity,
-                const WorkPlane& mass, Offset other, float* edge) {
-  const int last_x = velocity.width() - 1;
-  const int last_y = velocity.height() - 1;
-  for_inner_edges(b, [&](int first, int n, int x, int y) {
-    const int y2 = std::min(y + other.y, last_y);
-    const int inner = std::min(n, last_x + 1 - x - other.x);  // the last column has no next one
-    const auto at = [&](int i, int j) { return FaceFlow{velocity.row(j) + i, mass.row(j) + i}; };
-    mean_row(at(x, y), at(x + other.x, y2), to_cells, inner, edge + first);
-    if (inner < n) mean_row(at(last_x, y), at(last_x, y2), to_cells, 1, edge + first + n - 1);
-  });
-}
-
-// Displacements of the edges of a batch for the nodes of both components.
-struct MomentumEdges {
-  const CanvasState& state;
-  float to_cells;
-  Axis axis;
-  const WorkPlane& mass;  // of the nodes that move along their own axis
-
-  // `along`: whether the nodes belong to the component of `axis`; else they belong to the other
-  // one.
-  void fill(const LineBatch& b, bool along, std::vector<float>& edge) const {
-    const bool next_column = (axis == Axis::kX) == along;
-    const Field<float>& u = axis == Axis::kX ? state.velocity_x_m_s : state.velocity_y_m_s;
-    std::fill(edge.begin(), edge.end(), 0.0f);
-    fill_edges(b, to_cells, u, mass, next_column ? Offset{1, 0} : Offset{0, 1}, edge.data());
-  }
-};
 
 // Nodes of one component, and their velocities in the state.
 struct Nodes {
@@ -89,84 +30,124 @@ Nodes nodes_y(const CanvasState& state, Workspace& work) {
   return {work.y, state.velocity_y_m_s};
 }
 
-// Moves a batch as flat arrays.
-struct BatchMover {
-  RemapPlan plan;
-  RemapScratch scratch;
+// Moves a run of nodes along x. The buffers are kept from run to run; a row of nodes in them has
+// one node more at each end.
+class MomentumRow {
+ public:
+  MomentumRow(const RemapOptions& options, Turn turn) : options_(options), turn_(turn) {}
 
-  void move(const LineBatch& b, const RemapOptions& options, Turn turn, const Nodes& moved) {
-    NodePlanes& nodes = moved.planes;
-    // Plan where each node's fluid goes, ...
-    plan_remap(plan);
-    float* mass = scratch.cells(scratch.value, plan.step);
-    float* velocity = scratch.cells(scratch.momentum, plan.step);
-    // ... take mass and velocity from before this turn, ...
-    if (turn == Turn::kFirst) {
-      load_batch(b, nodes.first_mass_m, mass);
-      load_batch(b, moved.state_m_s, velocity);
-    } else {
-      load_batch(b, nodes.mass_m, mass);
-      load_batch(b, nodes.velocity_m_s, velocity);
-    }
-    // ... and move both.
-    remap_momentum_batch(plan, options, scratch);
-    store_batch(b, mass, nodes.mass_m);
-    store_batch(b, velocity, nodes.velocity_m_s);
+  void move(const Run& r, const MomentumEdges& edges, bool along, const Nodes& moved) {
+    resize(r);
+    float* edge = nodes(edge_);
+    edges.fill({{r.x0, r.x1, r.y, r.y + 1}, Axis::kX}, along, edge);
+    // Mass and velocity from before this turn, ...
+    NodePlanes& planes = moved.planes;
+    const bool first = turn_ == Turn::kFirst;
+    const float* mass = load(first ? planes.first_mass_m.row(r.y) : planes.mass_m.row(r.y), mass_);
+    const float* velocity =
+        load(first ? moved.state_m_s.row(r.y) : planes.velocity_m_s.row(r.y), velocity_);
+    // ... what leaves each node, ...
+    float* mass_lo = nodes(mass_lo_);
+    float* mass_hi = nodes(mass_hi_);
+    float* momentum_lo = nodes(momentum_lo_);
+    float* momentum_hi = nodes(momentum_hi_);
+    float* stay = nodes(stay_);
+    const ThreeRows masses{mass - 1, mass, mass + 1};
+    const int far = leave_momentum_rows(options_.superbee, {edge, edge + 1}, masses,
+                                        {velocity - 1, velocity, velocity + 1}, r.size(),
+                                        {mass_lo, mass_hi, momentum_lo, momentum_hi, stay});
+    // ... and what it becomes.
+    const auto settle = far > 0 ? settle_momentum_rows : settle_velocity_rows;
+    const NodesAfter after{planes.mass_m.row(r.y) + r.x0, planes.velocity_m_s.row(r.y) + r.x0};
+    settle(stay, {mass_hi - 1, mass_hi, mass_lo, mass_lo + 1},
+           {momentum_hi - 1, momentum_hi, momentum_lo, momentum_lo + 1}, {mass, velocity}, r.size(),
+           after);
+    if (far > 0) add_far(masses, velocity, after);
   }
+
+ private:
+  static constexpr int kSide = 16;  // one cache line of floats
+  static float* nodes(Field<float>& row) { return row.row(0) + kSide; }
+
+  void resize(const Run& r) {
+    r_ = r;
+    const int n = r.size();
+    if (n + 2 * kSide > edge_.width())
+      for (Field<float>* f :
+           {&edge_, &mass_, &velocity_, &mass_lo_, &mass_hi_, &momentum_lo_, &momentum_hi_, &stay_})
+        *f = Field<float>(n + 2 * kSide, 1);
+    // Nothing comes through the walls.
+    nodes(mass_hi_)[-1] = nodes(momentum_hi_)[-1] = 0;
+    nodes(mass_lo_)[n] = nodes(momentum_lo_)[n] = 0;
+  }
+  // A copy of the run with its ends mirrored.
+  const float* load(const float* row, Field<float>& to) const {
+    float* copy = nodes(to);
+    std::copy_n(row + r_.x0, r_.size(), copy);
+    mirror_ends(copy, r_.size(), 1);
+    return copy;
+  }
+  // Fluid that moves further than to the next node is added last; momentum then becomes velocity.
+  void add_far(const ThreeRows& mass, const float* velocity, const NodesAfter& after) {
+    const float* stay = nodes(stay_);
+    far_.clear();
+    for (int i = 0; i < r_.size(); ++i)
+      if (stay[i] == 0) far_.push_back(i);
+    const std::vector<FarCell> cells = take_far_cells(far_, nodes(edge_), options_, mass);
+    std::vector<float> speed;
+    for (const FarCell& cell : cells) speed.push_back(velocity[cell.at]);
+    put_far_momentum(
+        cells, speed, {r_.size(), r_.x0}, [&](int i, int) -> float& { return after.mass[i]; },
+        [&](int i, int) -> float& { return after.velocity[i]; });
+    velocity_row(after.mass, after.velocity, r_.size());
+  }
+
+  RemapOptions options_;
+  Turn turn_;
+  Run r_;
+  Field<float> edge_, mass_, velocity_, mass_lo_, mass_hi_, momentum_lo_, momentum_hi_, stay_;
+  std::vector<int> far_;
 };
 
 // Moves a batch of columns along y, row by row. The first turn reads the state and
 // fill_node_masses(); the second turn works in place.
-struct RowMover {
-  std::vector<float> edge;
-  EdgeStream edges;
-  MomentumStream stream;
-  int n = 0;
+class MomentumColumns {
+ public:
+  MomentumColumns(const RemapOptions& options, Turn turn) : options_(options), turn_(turn) {}
 
-  void resize(const LineBatch& b) {
-    edge.resize(static_cast<std::size_t>(b.cells() + b.width()));
-    if (b.width() == n) return;
-    n = b.width();
-    edges.resize(n);
-    stream.resize(n);
-  }
-
-  void move(const LineBatch& b, const RemapOptions& options, Turn turn, const Nodes& moved) {
+  void move(const LineBatch& b, const MomentumEdges& edges, bool along, const Nodes& moved) {
+    resize(b);
+    edges.fill(b, along, edge_.data());
     NodePlanes& nodes = moved.planes;
-    const bool first = turn == Turn::kFirst;
+    const bool first = turn_ == Turn::kFirst;
     constexpr float kNear = 0.49f;  // edges that move no further leave no cell shorter than 1/64
+    const int n = b.width();
     const int height = b.height();
-    const auto edge_row = [&](int r) { return edge.data() + r * n; };
+    const auto edge_row = [&](int r) { return edge_.data() + r * n; };
     const auto row_of = [&](WorkPlane& plane, int r) { return plane.row(b.box.y0 + r) + b.box.x0; };
-    const auto mass_before = [&](int r) {
-      return row_of(first ? nodes.first_mass_m : nodes.mass_m, r);
+    const auto before = [&](int r) {
+      return first ? NodesBefore{row_of(nodes.first_mass_m, r),
+                                 moved.state_m_s.row(b.box.y0 + r) + b.box.x0}
+                   : NodesBefore{row_of(nodes.mass_m, r), row_of(nodes.velocity_m_s, r)};
     };
-    const auto velocity_before = [&](int r) {
-      return first ? moved.state_m_s.row(b.box.y0 + r) + b.box.x0 : row_of(nodes.velocity_m_s, r);
-    };
-    const auto rows_of = [&](const auto& row, int r) {
-      return ThreeRows{row(std::max(r - 1, 0)), row(r), row(std::min(r + 1, height - 1))};
-    };
-    const bool all_near = !any_beyond_row(edge.data(), kNear, static_cast<int>(edge.size()));
-    // Row r's fluxes need rows r - 1 to r + 1 as they were, so row r - 1 is written once they are
-    // done.
-    stream.begin();
+    const bool all_near = !any_beyond_row(edge_.data(), kNear, b.cells() + n);
+    // What leaves row r depends on rows r - 1 to r + 1 as they were, so row r - 1 is written once
+    // that is known.
+    stream_.begin();
     for (int r = 0; r <= height; ++r) {
       if (r < height) {
-        const bool moves = any_motion_row(edge_row(r), 2 * n);
-        edges.plan(r, edge_row(r), edge_row(r + 1), moves);
-        stream.flux(edges, options, r, rows_of(mass_before, r), rows_of(velocity_before, r));
+        const NodesBefore above = before(std::max(r - 1, 0));
+        const NodesBefore here = before(r);
+        const NodesBefore below = before(std::min(r + 1, height - 1));
+        stream_.leave(
+            options_, r, {edge_row(r), edge_row(r + 1)}, any_motion_row(edge_row(r), 2 * n),
+            {{above.mass, here.mass, below.mass}, {above.velocity, here.velocity, below.velocity}});
       } else {
-        stream.end(r);
+        stream_.end(r);
       }
-      if (r == 0) continue;
-      // The first turn must leave its input as it is: row r - 1 is copied before it changes.
-      if (first) {
-        std::copy_n(mass_before(r - 1), n, row_of(nodes.mass_m, r - 1));
-        std::copy_n(velocity_before(r - 1), n, row_of(nodes.velocity_m_s, r - 1));
-      }
-      stream.gather(edges, r - 1, row_of(nodes.mass_m, r - 1), row_of(nodes.velocity_m_s, r - 1),
-                    all_near);
+      if (r > 0)
+        stream_.settle(r - 1, before(r - 1), all_near,
+                       {row_of(nodes.mass_m, r - 1), row_of(nodes.velocity_m_s, r - 1)});
     }
     // Fluid that moves further than to the next node is added last; momentum then becomes velocity.
     if (all_near) return;
@@ -175,11 +156,23 @@ struct RowMover {
         return plane.row(b.box.y0 + r)[b.box.x0 + lane];
       };
     };
-    put_far_momentum(stream.far(), stream.far_speed(), {height, b.box.y0}, target(nodes.mass_m),
+    put_far_momentum(stream_.far(), stream_.far_speed(), {height, b.box.y0}, target(nodes.mass_m),
                      target(nodes.velocity_m_s));
     for (int r = 0; r < height; ++r)
       velocity_row(row_of(nodes.mass_m, r), row_of(nodes.velocity_m_s, r), n);
   }
+
+ private:
+  void resize(const LineBatch& b) {
+    const auto edges = static_cast<std::size_t>(b.cells() + b.width());
+    if (edge_.size() < edges) edge_.resize(edges);
+    stream_.resize(b.width());
+  }
+
+  RemapOptions options_;
+  Turn turn_;
+  std::vector<float> edge_;
+  MomentumStream stream_;
 };
 
 }  // namespace
@@ -200,44 +193,30 @@ void fill_node_masses(const CanvasState& state, const WetCells& wet, const Threa
   });
 }
 
-void advect_momentum_in_batches(const CanvasState& state, const StepInput& in, Axis axis, Turn turn,
-                                const WetCells& wet, Workspace& work) {
-  const RemapOptions options{in.model.superbee, 0};
-  const float cell_m = axis == Axis::kX ? state.geometry.dx_m() : state.geometry.dy_m();
-  const Nodes along = axis == Axis::kX ? nodes_x(state, work) : nodes_y(state, work);
-  const Nodes across = axis == Axis::kX ? nodes_y(state, work) : nodes_x(state, work);
-  const MomentumEdges edges{state, in.dt_s / cell_m, axis, along.planes.first_mass_m};
-  for_batches(wet, axis, in.threads, [&](int begin, int end, const auto& block_at) {
-    BatchMover mover;
-    for (int k = begin; k < end; ++k) {
-      const LineBatch b = block_at(k);
-      mover.plan.resize(b.cells(), b.step());
-      mover.scratch.resize(b.cells(), b.step());
-      mover.plan.before = axis == Axis::kX ? b.box.x0 : b.box.y0;
-      edges.fill(b, true, mover.plan.edge);
-      mover.move(b, options, turn, along);
-      edges.fill(b, false, mover.plan.edge);
-      mover.move(b, options, turn, across);
-    }
-  });
-}
-
 void advect_momentum(const CanvasState& state, const StepInput& in, Axis axis, Turn turn,
                      const WetCells& wet, Workspace& work) {
-  if (axis == Axis::kX) return advect_momentum_in_batches(state, in, axis, turn, wet, work);
   const RemapOptions options{in.model.superbee, 0};
-  const MomentumEdges edges{state, in.dt_s / state.geometry.dy_m(), axis, work.y.first_mass_m};
-  for_wide_batches(wet, in.threads, [&](int begin, int end, const auto& block_at) {
-    RowMover mover;
-    for (int k = begin; k < end; ++k) {
-      const LineBatch b = block_at(k);
-      mover.resize(b);
-      edges.fill(b, true, mover.edge);
-      mover.move(b, options, turn, nodes_y(state, work));
-      edges.fill(b, false, mover.edge);
-      mover.move(b, options, turn, nodes_x(state, work));
-    }
-  });
+  const Nodes along = axis == Axis::kX ? nodes_x(state, work) : nodes_y(state, work);
+  const Nodes across = axis == Axis::kX ? nodes_y(state, work) : nodes_x(state, work);
+  const MomentumEdges edges(state, in.dt_s, axis, along.planes.first_mass_m);
+  if (axis == Axis::kX) {
+    const std::vector<Run>& runs = wet.runs();
+    in.threads.for_ranges(0, static_cast<int>(runs.size()), 8, [&](int begin, int end) {
+      MomentumRow row(options, turn);
+      for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
+        row.move(runs[k], edges, true, along);
+        row.move(runs[k], edges, false, across);
+      }
+    });
+  } else {
+    for_wide_batches(wet, in.threads, [&](int begin, int end, const auto& block_at) {
+      MomentumColumns columns(options, turn);
+      for (int k = begin; k < end; ++k) {
+        columns.move(block_at(k), edges, true, along);
+        columns.move(block_at(k), edges, false, across);
+      }
+    });
+  }
 }
 
 }  // namespace pentimento::conservative

@@ -167,22 +167,34 @@ class PaintRow {
     float* free = cells(value_);
     split_residue_row(amount, cells(share_), amount_options_.rounder, n_, cells(held_), free);
     mirror_ends(free, n_, 1);
-    std::copy_n(free, n_, amount);
-    move_quantity(amount_options_, free, amount);
-    rejoin_residue_row(cells(held_), n_, amount);
+    leave(amount_options_, free);
+    gather_beside_rows(cells(stay_), parts(), free, cells(held_), n_, amount);
+    add_far(amount_options_, free, amount);
   }
 
   // Moves one quantity. `value` is a copy of `amount` with its ends mirrored.
   void move_quantity(const RemapOptions& options, const float* value, float* amount) {
-    float* lo = cells(out_lo_);
-    float* hi = cells(out_hi_);
-    const ThreeRows rows{value - 1, value, value + 1};
     // Near cells pass parts to their neighbours, then all cells take what came.
-    flux_rows(options, {cells(tau_lo_), cells(tau_hi_)}, rows, n_, lo, hi);
-    gather_rows(cells(stay_), {hi - 1, hi, lo, lo + 1}, n_, amount);
+    leave(options, value);
+    gather_rows(cells(stay_), parts(), n_, amount);
+    add_far(options, value, amount);
+  }
+
+  // What leaves the cells of a quantity over their edges.
+  void leave(const RemapOptions& options, const float* value) {
+    flux_rows(options, {cells(tau_lo_), cells(tau_hi_)}, {value - 1, value, value + 1}, n_,
+              cells(out_lo_), cells(out_hi_));
+  }
+  Parts parts() {
+    const float* lo = cells(out_lo_);
+    const float* hi = cells(out_hi_);
+    return {hi - 1, hi, lo, lo + 1};
+  }
+  // Far cells passed nothing yet: each is spread over the cells that its image covers.
+  void add_far(const RemapOptions& options, const float* value, float* amount) {
     if (far_.empty()) return;
-    // Far cells passed nothing yet: each is spread over the cells that its image covers.
-    const std::vector<FarCell> far = take_far_cells(far_, cells(edge_), options, rows);
+    const std::vector<FarCell> far =
+        take_far_cells(far_, cells(edge_), options, {value - 1, value, value + 1});
     const FarLine line{n_, r_.x0};
     put_far_cells(far, line, options.rounder, [&](int i, int) -> float& { return amount[i]; });
   }

@@ -303,10 +303,8 @@ class PaintStream {
       channel.quantity.gather(edges, r - 1, amount);
       return;
     }
-    float* free = channel.free.row(r - 1);
-    if (!channel.quantity.gather(edges, r - 1, free)) return;
-    std::copy_n(free, n_, amount);
-    rejoin_residue_row(channel.held.row(r - 1), n_, amount);
+    channel.quantity.gather_beside(edges, r - 1, channel.free.row(r - 1), channel.held.row(r - 1),
+                                   amount);
   }
 
   void put_far() {

@@ -25,12 +25,6 @@ void fill_node_masses(const CanvasState& state, const WetCells& wet, const Threa
 void advect_momentum(const CanvasState& state, const StepInput& in, Axis axis, Turn turn,
                      const WetCells& wet, Workspace& work);
 
-/// The plain way to do the same, along either axis: batch after batch, each in flat arrays. It
-/// gives the same bits. advect_momentum() uses it along x; along y it goes row by row
-/// (remap_stream.h).
-void advect_momentum_in_batches(const CanvasState& state, const StepInput& in, Axis axis, Turn turn,
-                                const WetCells& wet, Workspace& work);
-
 /// Moves depth and every channel of every layer along one axis. The depth moves with the velocity
 /// plus half of the brush's push. A layer moves with Model::layer_speed times the velocity plus the
 /// push, both times the height of the layer's middle in the film (R18, layer_speed_row.h). Of layer

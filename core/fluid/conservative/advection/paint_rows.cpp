@@ -99,12 +99,6 @@ void split_residue_row(const float* value, const float* __restrict share, float 
 }
 
 PENTIMENTO_KERNEL
-void rejoin_residue_row(const float* __restrict held, int n, float* __restrict value) {
-  PENTIMENTO_INDEPENDENT
-  for (int i = 0; i < n; ++i) value[i] += held[i];
-}
-
-PENTIMENTO_KERNEL
 bool any_motion_row(const float* edge, int n) {
   std::int32_t any = 0;
   for (int i = 0; i < n; ++i) any |= std::bit_cast<std::int32_t>(edge[i]) & 0x7fffffff;

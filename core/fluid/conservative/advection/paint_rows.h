@@ -42,8 +42,6 @@ void add_row(const float* layer, int n, float* total);
 /// free = share value, in whole quanta; held = value - free. `free` may be `value` itself.
 void split_residue_row(const float* value, const float* share, float rounder, int n, float* held,
                        float* free);
-/// value += held.
-void rejoin_residue_row(const float* held, int n, float* value);
 /// Whether any edge moves.
 bool any_motion_row(const float* edge, int n);
 /// Whether any edge moves further than `limit` cells.

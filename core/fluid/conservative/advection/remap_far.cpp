@@ -47,19 +47,20 @@ void for_parts(const CellImage& image, const FarLine& line, float relative_slope
   put_rest(last - line.before);
 }
 
-float far_slope(const RemapOptions& options, float below, float above) {
+}  // namespace
+
+float far_slope(const RemapOptions& options, const ThreeRows& value, int i) {
+  const float below = value.here[i] - value.before[i];
+  const float above = value.after[i] - value.here[i];
   return options.superbee ? limited_superbee(below, above) : limited_mc(below, above);
 }
-
-}  // namespace
 
 std::vector<FarCell> take_far_cells(const RemapPlan& plan, const RemapOptions& options,
                                     const float* value) {
   std::vector<FarCell> far;
   for (const int i : plan.far) {
     if (value[i] == 0) continue;
-    const float slope =
-        far_slope(options, value[i] - value[i - plan.step], value[i + plan.step] - value[i]);
+    const float slope = far_slope(options, {value - plan.step, value, value + plan.step}, i);
     const auto cell = static_cast<std::size_t>(i);
     const auto next = static_cast<std::size_t>(i + plan.step);
     far.push_back(
@@ -73,9 +74,7 @@ std::vector<FarCell> take_far_cells(const std::vector<int>& far, const float* ed
   std::vector<FarCell> taken;
   for (const int i : far) {
     if (value.here[i] == 0) continue;
-    const float slope =
-        far_slope(options, value.here[i] - value.before[i], value.after[i] - value.here[i]);
-    taken.push_back({i, 0, edge[i], edge[i + 1], value.here[i], slope});
+    taken.push_back({i, 0, edge[i], edge[i + 1], value.here[i], far_slope(options, value, i)});
   }
   return taken;
 }

@@ -27,6 +27,9 @@ struct FarLine {
 /// Gives the place where cell `at` of line `lane` is stored.
 using FarTarget = std::function<float&(int at, int lane)>;
 
+/// The limited difference across cell i, which is a far cell's slope.
+float far_slope(const RemapOptions& options, const ThreeRows& value, int i);
+
 /// Takes the far cells of a plan. `value` has valid ghost cells.
 std::vector<FarCell> take_far_cells(const RemapPlan& plan, const RemapOptions& options,
                                     const float* value);

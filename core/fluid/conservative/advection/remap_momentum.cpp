@@ -35,9 +35,8 @@ void times_row(const float* __restrict mass, float* __restrict velocity, int cel
 
 PENTIMENTO_KERNEL
 void velocity_row(float* __restrict mass, float* __restrict momentum, int cells) {
-  constexpr float kNothing = 1e-9f;  // metres of paint that carry no momentum worth keeping
   for (int i = 0; i < cells; ++i) {
-    const bool some = mass[i] > kNothing;
+    const bool some = mass[i] > kLeastNodeMass_m;
     momentum[i] = some ? momentum[i] / (some ? mass[i] : 1.0f) : 0.0f;
     mass[i] = some ? mass[i] : 0.0f;
   }

@@ -16,6 +16,9 @@ namespace pentimento::conservative {
 void remap_momentum_batch(const RemapPlan& plan, const RemapOptions& options,
                           RemapScratch& scratch);
 
+/// Paint around a node that carries no momentum worth keeping, in metres.
+inline constexpr float kLeastNodeMass_m = 1e-9f;
+
 /// The last step of the above, on a row: turns momentum into velocity, and empties nodes with next
 /// to no paint.
 void velocity_row(float* mass, float* momentum, int cells);

@@ -1,7 +1,5 @@
 #include "core/fluid/conservative/advection/remap_plan.h"
 
-#include <cmath>
-
 #include "core/base/kernel.h"
 
 namespace pentimento::conservative {
@@ -18,23 +16,12 @@ void RemapPlan::resize(int cells, int step_cells) {
 PENTIMENTO_KERNEL
 void plan_remap_row(const float* __restrict edge_lo, const float* __restrict edge_hi, int cells,
                     float* __restrict tau_lo, float* __restrict tau_hi, float* __restrict stay) {
-  constexpr float kMinLength = 1.0f / 64;  // shorter images are moved as points
   PENTIMENTO_INDEPENDENT
   for (int i = 0; i < cells; ++i) {
-    const float lo = edge_lo[i];
-    const float hi = edge_hi[i];
-    const float length = 1 + hi - lo;
-    const float low = std::abs(lo);
-    const float high = std::abs(hi);
-    const float farther = low > high ? low : high;
-    // Masks as numbers: of conditions that follow from one another the compiler makes branches.
-    const float near = (length >= kMinLength ? 1.0f : 0.0f) * (farther <= 1 ? 1.0f : 0.0f);
-    const float inverse = near / (length > kMinLength ? length : kMinLength);
-    const float below = 0.5f * (low - lo);  // -lo where lo < 0, else 0, without rounding
-    const float above = 0.5f * (high + hi);
-    tau_lo[i] = (below < 1 ? below : 1.0f) * inverse;
-    tau_hi[i] = (above < 1 ? above : 1.0f) * inverse;
-    stay[i] = near;
+    const RemapShares shares = remap_shares(edge_lo[i], edge_hi[i]);
+    tau_lo[i] = shares.lo;
+    tau_hi[i] = shares.hi;
+    stay[i] = shares.near;
   }
 }
 

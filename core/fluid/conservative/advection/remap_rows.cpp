@@ -62,21 +62,17 @@ void gather_rows(const float* __restrict stay, const Parts& parts, int n, float*
 }
 
 PENTIMENTO_KERNEL
-void momentum_flux_rows(const LoHi& tau, const ThreeRows& velocity, const LoHi& mass_out, int n,
-                        float* __restrict out_lo, float* __restrict out_hi) {
-  const float* __restrict tau_lo = tau.lo;
-  const float* __restrict tau_hi = tau.hi;
-  const float* __restrict mass_lo = mass_out.lo;
-  const float* __restrict mass_hi = mass_out.hi;
-  const float* before = velocity.before;
-  const float* here = velocity.here;
-  const float* after = velocity.after;
+void gather_beside_rows(const float* __restrict stay, const Parts& parts,
+                        const float* __restrict moving, const float* __restrict held, int n,
+                        float* __restrict value) {
+  const float* __restrict hi_before = parts.hi_before;
+  const float* __restrict hi = parts.hi;
+  const float* __restrict lo = parts.lo;
+  const float* __restrict lo_after = parts.lo_after;
   PENTIMENTO_INDEPENDENT
   for (int i = 0; i < n; ++i) {
-    const float u = here[i];
-    const float half_slope = half_limited_mc(u - before[i], after[i] - u);
-    out_hi[i] = mass_hi[i] * (u + half_slope * (1 - tau_hi[i]));
-    out_lo[i] = mass_lo[i] * (u - half_slope * (1 - tau_lo[i]));
+    const float kept = moving[i] * stay[i] - hi[i] - lo[i];
+    value[i] = kept + (hi_before[i] + lo_after[i]) + held[i];
   }
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 // The kernels of the remap, with the neighbours of each cell in rows of their own. If paint moves
 // along y, these are the rows above and below; if paint moves along x, they are the same row
-// shifted by a cell. Equations, scheme and sources are those of remap_row.h and remap_momentum.h,
-// and the bits are the same.
+// shifted by a cell. Equations, scheme and sources are those of remap_row.h, and the bits are the
+// same.
 
 #include "core/fluid/conservative/advection/remap_row.h"
 
@@ -26,10 +26,6 @@ struct LoHi {
 void flux_rows(const RemapOptions& options, const LoHi& tau, const ThreeRows& value, int n,
                float* out_lo, float* out_hi);
 
-/// Finds the momentum that goes over the edges with the mass `mass_out`.
-void momentum_flux_rows(const LoHi& tau, const ThreeRows& velocity, const LoHi& mass_out, int n,
-                        float* out_lo, float* out_hi);
-
 /// What leaves a row of cells, and what comes from the neighbours.
 struct Parts {
   const float* hi_before;
@@ -40,5 +36,8 @@ struct Parts {
 
 /// value = stay value - hi - lo + (hi_before + lo_after), in place.
 void gather_rows(const float* stay, const Parts& parts, int n, float* value);
+/// The same for what moves of cells that hold something back: value = what `moving` becomes + held.
+void gather_beside_rows(const float* stay, const Parts& parts, const float* moving,
+                        const float* held, int n, float* value);
 
 }  // namespace pentimento::conservative

@@ -1,26 +1,6 @@
 #include "core/fluid/conservative/advection/remap_stream.h"
 
-#include "core/base/kernel.h"
-#include "core/fluid/conservative/advection/limiter.h"
-#include "core/fluid/conservative/advection/remap_momentum.h"
-
 namespace pentimento::conservative {
-namespace {
-
-PENTIMENTO_KERNEL
-void times_rows(const float* __restrict mass, int n, float* __restrict velocity) {
-  PENTIMENTO_INDEPENDENT
-  for (int i = 0; i < n; ++i) velocity[i] *= mass[i];
-}
-
-float slope_at(const RemapOptions& options, const ThreeRows& value, int i) {
-  const float below = value.here[i] - value.before[i];
-  const float above = value.after[i] - value.here[i];
-  return options.superbee ? limited_superbee(below, above) : limited_mc(below, above);
-}
-
-}  // namespace
-
 void EdgeStream::resize(int n) {
   n_ = n;
   if (n > ones_.width()) {
@@ -63,50 +43,17 @@ void QuantityStream::flux(const EdgeStream& edges, const RemapOptions& options, 
             out_hi_.row(r));
   for (const int i : edges.far_)
     if (value.here[i] != 0)
-      far_.push_back(
-          {r, i, edges.edge_lo_[i], edges.edge_hi_[i], value.here[i], slope_at(options, value, i)});
+      far_.push_back({r, i, edges.edge_lo_[i], edges.edge_hi_[i], value.here[i],
+                      far_slope(options, value, i)});
 }
 
-bool QuantityStream::gather(const EdgeStream& edges, int r, float* value) {
-  if (!passes(r - 1) && !passes(r) && !passes(r + 1)) return false;
-  gather_rows(edges.stay(r), {out_hi(r - 1), out_hi(r), out_lo(r), out_lo(r + 1)}, n_, value);
-  return true;
+void QuantityStream::gather(const EdgeStream& edges, int r, float* value) {
+  if (any_passes(r)) gather_rows(edges.stay(r), parts(r), n_, value);
 }
 
-void MomentumStream::resize(int n) {
-  mass_.resize(n);
-  out_lo_.resize(n);
-  out_hi_.resize(n);
-}
-
-void MomentumStream::begin() {
-  mass_.begin();
-  far_speed_.clear();
-}
-
-void MomentumStream::flux(const EdgeStream& edges, const RemapOptions& options, int r,
-                          const ThreeRows& mass, const ThreeRows& velocity) {
-  const std::size_t known = mass_.far().size();
-  mass_.flux(edges, options, r, mass, true);
-  if (!edges.moves(r)) return;
-  momentum_flux_rows({edges.tau_.row(0), edges.tau_.row(1)}, velocity,
-                     {mass_.out_lo(r), mass_.out_hi(r)}, mass_.n_, out_lo_.row(r), out_hi_.row(r));
-  for (std::size_t k = known; k < mass_.far().size(); ++k)
-    far_speed_.push_back(velocity.here[mass_.far()[k].lane]);
-}
-
-void MomentumStream::gather(const EdgeStream& edges, int r, float* mass, float* velocity,
-                            bool divide) {
-  const auto lo = [&](int row) {
-    return mass_.passes(row) ? out_lo_.row(row) : mass_.zeros_.row(0);
-  };
-  const auto hi = [&](int row) {
-    return mass_.passes(row) ? out_hi_.row(row) : mass_.zeros_.row(0);
-  };
-  times_rows(mass, mass_.n_, velocity);
-  if (mass_.gather(edges, r, mass))
-    gather_rows(edges.stay(r), {hi(r - 1), hi(r), lo(r), lo(r + 1)}, mass_.n_, velocity);
-  if (divide) velocity_row(mass, velocity, mass_.n_);
+void QuantityStream::gather_beside(const EdgeStream& edges, int r, const float* moving,
+                                   const float* held, float* value) {
+  if (any_passes(r)) gather_beside_rows(edges.stay(r), parts(r), moving, held, n_, value);
 }
 
 }  // namespace pentimento::conservative

@@ -40,7 +40,6 @@ class EdgeStream {
 
  private:
   friend class QuantityStream;
-  friend class MomentumStream;
   int n_ = 0;
   Field<float> tau_;  // of the row planned last: over the low edge, over the high edge
   Field<float> ones_;
@@ -61,43 +60,28 @@ class QuantityStream {
   /// empty.
   void flux(const EdgeStream& edges, const RemapOptions& options, int r, const ThreeRows& value,
             bool some);
-  /// Writes what row r becomes, in place. Call it after flux(), or end(), of row r + 1. Returns
-  /// whether anything came or went.
-  bool gather(const EdgeStream& edges, int r, float* value);
+  /// Writes what row r becomes, in place. Call it after flux(), or end(), of row r + 1.
+  void gather(const EdgeStream& edges, int r, float* value);
+  /// The same for what moves of cells that hold something back (gather_beside_rows()). Where
+  /// nothing came or went, `value` is left as it is.
+  void gather_beside(const EdgeStream& edges, int r, const float* moving, const float* held,
+                     float* value);
   /// Says that row r lies beyond the last row.
   void end(int r) { passes(r) = false; }
   /// The far cells of the rows so far, in the order of rows.
   const std::vector<FarCell>& far() const { return far_; }
 
  private:
-  friend class MomentumStream;
   bool& passes(int r) { return passes_[static_cast<std::size_t>((r + 3) % 3)]; }
   const float* out_lo(int r) { return passes(r) ? out_lo_.row(r) : zeros_.row(0); }
   const float* out_hi(int r) { return passes(r) ? out_hi_.row(r) : zeros_.row(0); }
+  bool any_passes(int r) { return passes(r - 1) || passes(r) || passes(r + 1); }
+  Parts parts(int r) { return {out_hi(r - 1), out_hi(r), out_lo(r), out_lo(r + 1)}; }
   int n_ = 0;
   RowRing out_lo_, out_hi_;
   Field<float> zeros_;
   std::array<bool, 3> passes_{};  // whether anything leaves the row
   std::vector<FarCell> far_;
-};
-
-/// Mass and velocity of nodes (remap_momentum.h) on their way through the window.
-class MomentumStream {
- public:
-  void resize(int n);
-  void begin();
-  void flux(const EdgeStream& edges, const RemapOptions& options, int r, const ThreeRows& mass,
-            const ThreeRows& velocity);
-  /// Writes what row r becomes: mass, and velocity if `divide`, else momentum.
-  void gather(const EdgeStream& edges, int r, float* mass, float* velocity, bool divide);
-  void end(int r) { mass_.end(r); }
-  const std::vector<FarCell>& far() const { return mass_.far(); }
-  const std::vector<float>& far_speed() const { return far_speed_; }
-
- private:
-  QuantityStream mass_;
-  RowRing out_lo_, out_hi_;
-  std::vector<float> far_speed_;
 };
 
 }  // namespace pentimento::conservative

@@ -1,12 +1,15 @@
 #include "core/fluid/conservative/solve/stages.h"
 
 #include <algorithm>
+#include <atomic>
 
 namespace pentimento::conservative {
 namespace {
 
 // A band is worth some ten microseconds: smaller ones have more gaps between them than they save.
 constexpr std::int64_t kCellsAndStagesPerTask = 16384;
+
+using Pass = std::function<void(int stage, const Run& run)>;
 
 /// RowSpan whose stages are done in one go.
 struct Band {
@@ -41,6 +44,23 @@ RowSpan rows_of_stage(const Band& band, int s) {
   return {band.rows.y0 + (band.first ? 0 : s), band.rows.y1 - (band.last ? 0 : s)};
 }
 
+// The stages of a band follow one another down the rows.
+void do_band(const Band& band, const RunIndex& index, int stages, const Pass& pass) {
+  for (int y = band.rows.y0; y < band.rows.y1 + stages - 1; ++y)
+    for (int s = 0; s < stages; ++s) {
+      const RowSpan rows = rows_of_stage(band, s);
+      if (y - s >= rows.y0 && y - s < rows.y1)
+        index.for_row(y - s, [&](const Run& r) { pass(s, r); });
+    }
+}
+
+// What two bands left to do around the border between them, once both are done.
+void fill_gap(int border, const RunIndex& index, int stages, const Pass& pass) {
+  for (int s = 1; s < stages; ++s)
+    for (int y = border - s; y < border + s; ++y)
+      index.for_row(y, [&](const Run& r) { pass(s, r); });
+}
+
 }  // namespace
 
 RunIndex::RunIndex(std::vector<Run> runs, int height) : runs_(std::move(runs)) {
@@ -59,8 +79,7 @@ RunIndex::RunIndex(std::vector<Run> runs, int height) : runs_(std::move(runs)) {
   }
 }
 
-void for_stages(const Threads& threads, const RunIndex& index, int stages,
-                const std::function<void(int, const Run&)>& pass) {
+void for_stages(const Threads& threads, const RunIndex& index, int stages, const Pass& pass) {
   const std::int64_t all = index.cells();
   const int parts = threads.count() == 1 ? 1 : 4 * threads.count();
   for_stages_in(std::max((all + parts - 1) / parts, kCellsAndStagesPerTask / stages), threads,
@@ -68,29 +87,18 @@ void for_stages(const Threads& threads, const RunIndex& index, int stages,
 }
 
 void for_stages_in(std::int64_t cells, const Threads& threads, const RunIndex& index, int stages,
-                   const std::function<void(int, const Run&)>& pass) {
+                   const Pass& pass) {
   const std::vector<Band> bands = cut_into_bands(index, stages, cells);
+  // How many of the two bands beside the border above a band are done.
+  std::vector<std::atomic<int>> done(bands.size() + 1);
   threads.for_ranges(0, static_cast<int>(bands.size()), 1, [&](int begin, int end) {
-    for (int k = begin; k < end; ++k) {
-      const Band& band = bands[static_cast<std::size_t>(k)];
-      for (int y = band.rows.y0; y < band.rows.y1 + stages - 1; ++y)
-        for (int s = 0; s < stages; ++s) {
-          const RowSpan rows = rows_of_stage(band, s);
-          if (y - s >= rows.y0 && y - s < rows.y1)
-            index.for_row(y - s, [&](const Run& r) { pass(s, r); });
-        }
-    }
-  });
-  // The gaps between the bands of a span.
-  std::vector<int> gaps;
-  for (const Band& band : bands)
-    if (!band.first) gaps.push_back(band.rows.y0);
-  threads.for_ranges(0, static_cast<int>(gaps.size()), 1, [&](int begin, int end) {
-    for (int k = begin; k < end; ++k) {
-      const int border = gaps[static_cast<std::size_t>(k)];
-      for (int s = 1; s < stages; ++s)
-        for (int y = border - s; y < border + s; ++y)
-          index.for_row(y, [&](const Run& r) { pass(s, r); });
+    for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
+      do_band(bands[k], index, stages, pass);
+      // Whoever is the second to come to a gap fills it, so that nobody waits.
+      if (!bands[k].first && done[k].fetch_add(1, std::memory_order_acq_rel) == 1)
+        fill_gap(bands[k].rows.y0, index, stages, pass);
+      if (!bands[k].last && done[k + 1].fetch_add(1, std::memory_order_acq_rel) == 1)
+        fill_gap(bands[k].rows.y1, index, stages, pass);
     }
   });
 }

@@ -7,8 +7,8 @@
 #include "core/fluid/conservative/advection/advection.h"
 #include "core/fluid/conservative/advection/crowd_limit.h"
 #include "core/fluid/conservative/advection/layer_speed_row.h"
-#include "core/fluid/conservative/advection/line_batch.h"
 #include "core/fluid/conservative/tiles/quantum.h"
+#include "tests/core/fluid/conservative/plain_batches.h"
 
 namespace pentimento::conservative {
 // Everything one thread needs to move the paint of a batch; buffers are kept between batches.
