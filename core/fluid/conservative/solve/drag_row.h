@@ -2,6 +2,8 @@
 // Drag of paint on the paint beside it: how far a force gets on a face whose neighbours are slower
 // or faster.
 
+#include "core/base/field.h"
+
 namespace pentimento::conservative {
 
 /// A row of faces of one component, or one of the two rows beside it, across its direction: of
@@ -28,5 +30,20 @@ struct DragFaces {
 /// across the direction.
 void drag_row(const DragFaces& before, const DragFaces& here, const DragFaces& after,
               const float* friction_frac, float per_d2, int n, float* response_frac);
+
+/// Several sweeps over rows of faces that lie side by side across their direction, as lower faces
+/// do: all that a sweep reads lies in the row. The couplings are found once. It gives the same bits
+/// as drag_row(), sweep after sweep.
+class DragAlongRow {
+ public:
+  /// `sweeps` >= 2. `friction_frac`: f, which becomes the response. Depth, viscosity and friction
+  /// are read one face to each side, where friction is 0.
+  void sweep(int sweeps, const float* depth_m, const float* viscosity_m2_s, float per_d2, int n,
+             float* friction_frac);
+
+ private:
+  Field<float> couplings_;  // rows: before, after, and 1 + f (both)
+  Field<float> response_;   // rows: of the sweep before, and of this one; zeros at both ends
+};
 
 }  // namespace pentimento::conservative
