@@ -22,4 +22,12 @@ void fetch_ahead(const T* row, int n) {
 #endif
 }
 
+/// Asks for the cells [x0, x1) of the row of `plane`, anything with row(y) and height(), that lies
+/// kRowsAhead rows below row y. Rows that are written next are worth asking for, too: the processor
+/// fetches a line before it writes to it, and does not go on reading there meanwhile.
+template <typename Plane>
+void fetch_row_ahead(const Plane& plane, int y, int x0, int x1) {
+  if (y + kRowsAhead < plane.height()) fetch_ahead(plane.row(y + kRowsAhead) + x0, x1 - x0);
+}
+
 }  // namespace pentimento

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "core/base/fetch_ahead.h"
 #include "core/base/kernel.h"
 #include "core/fluid/conservative/advection/advection.h"
 #include "core/fluid/conservative/advection/face_row.h"
@@ -91,6 +92,11 @@ void forget(float* begin, float* end) {
 FaceRow faces_at(NodePlanes& n, int x, int y) {
   return {n.depth_m.row(y) + x, n.mobility_frac.row(y) + x, n.viscosity_m2_s.row(y) + x,
           n.friction_frac.row(y) + x};
+}
+
+// Asks for the cells of a run in planes that a pass writes, some rows ahead.
+void fetch(std::initializer_list<const WorkPlane*> planes, const Run& r) {
+  for (const WorkPlane* plane : planes) fetch_row_ahead(*plane, r.y, r.x0, r.x1);
 }
 
 // Calls body(x, n) for the faces of run `r` that paint may cross: the right faces between its
@@ -240,6 +246,7 @@ void ConservativeScheme::rest_nodes(const Threads& threads) {
 void ConservativeScheme::find_rheology(const CanvasState& state, const StepInput& in,
                                        const Run& r) {
   // 4a. Height, stiffness and viscosity of each cell (R3, R12, R13).
+  fetch({&work_.height_m, &work_.mobility_frac, &work_.viscosity_m2_s, &work_.crowding_m_s2}, r);
   const Rheology rheology = make_rheology(in.model);
   const auto n = static_cast<std::size_t>(r.size());
   const float* depth = state.depth_m.row(r.y) + r.x0;
@@ -299,6 +306,8 @@ void ConservativeScheme::find_faces(const CanvasState& state, const StepInput& i
     return CellRow{state.depth_m.row(y) + x, state.base_m.row(y) + x, work_.height_m.row(y) + x,
                    work_.mobility_frac.row(y) + x, work_.viscosity_m2_s.row(y) + x};
   };
+  for (const NodePlanes* n : {&work_.x, &work_.y})
+    fetch({&n->depth_m, &n->mobility_frac, &n->viscosity_m2_s, &n->friction_frac}, r);
   close_faces_row(1, faces_at(work_.x, r.x1 - 1, r.y));
   for_open_faces(*tiles_, Axis::kX, r, [&](int x, int n) {
     face_row(p, cells(x, r.y), cells(x + 1, r.y), n, faces_at(work_.x, x, r.y));
@@ -328,6 +337,7 @@ void ConservativeScheme::pin_edges(const CanvasState& state, const StepInput& in
 void ConservativeScheme::foresee_surface(const CanvasState& state, const StepInput& in,
                                          const Run& r) {
   // 4e. h - dt div(d u~), as far as it is trusted.
+  fetch({&work_.surface_m}, r);
   const float* height = work_.height_m.row(r.y) + r.x0;
   float* surface = work_.surface_m.row(r.y) + r.x0;
   height_rhs_row(fluxes(r), height, in.dt_s / state.geometry.dx_m(),
@@ -515,6 +525,8 @@ void ConservativeScheme::finish(const StepInput& in, const Run& r) {
 // 7d. Slow paint stands (R14): by the length of its velocity, so that paint that runs down levels
 // to the sides however slowly.
 void ConservativeScheme::stand(CanvasState& state, const StepInput& in, const Run& r) const {
+  for (const Field<float>* f : {&state.velocity_x_m_s, &state.velocity_y_m_s})
+    fetch_row_ahead(*f, r.y, r.x0, r.x1);
   const WorkPlane& u = work_.x.velocity_m_s;
   const WorkPlane& v = work_.y.velocity_m_s;
   const float threshold = in.model.velocity_threshold_m_s;

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "core/base/fetch_ahead.h"
 #include "core/base/kernel.h"
 #include "core/fluid/conservative/advection/advection.h"
 #include "core/fluid/conservative/advection/line_batch.h"
@@ -38,6 +39,8 @@ class MomentumRow {
 
   void move(const Run& r, const MomentumEdges& edges, bool along, const Nodes& moved) {
     resize(r);
+    for (const WorkPlane* p : {&moved.planes.mass_m, &moved.planes.velocity_m_s})
+      fetch_row_ahead(*p, r.y, r.x0, r.x1);
     float* edge = nodes(edge_);
     edges.fill({{r.x0, r.x1, r.y, r.y + 1}, Axis::kX}, along, edge);
     // Mass and velocity from before this turn, ...
@@ -182,6 +185,8 @@ void fill_node_masses(const CanvasState& state, const WetCells& wet, const Threa
   const int width = state.geometry.width;
   const int height = state.geometry.height;
   for_runs(threads, wet.runs(), [&](const Run& r) {
+    for (const WorkPlane* p : {&work.x.first_mass_m, &work.y.first_mass_m})
+      fetch_row_ahead(*p, r.y, r.x0, r.x1);
     const float* d = state.depth_m.row(r.y);
     const float* below = state.depth_m.row(std::min(r.y + 1, height - 1));
     float* mx = work.x.first_mass_m.row(r.y);

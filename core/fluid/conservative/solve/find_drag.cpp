@@ -2,6 +2,7 @@
 
 #include <iterator>
 
+#include "core/base/fetch_ahead.h"
 #include "core/fluid/conservative/solve/drag_row.h"
 
 namespace pentimento::conservative {
@@ -30,7 +31,12 @@ void find_drag(const CanvasGeometry& geometry, float dt_s, const RunIndex& index
              r.size(), (x.*kHeld[k + 1]).row(r.y) + r.x0);
   };
   constexpr int kSweeps = static_cast<int>(std::size(kHeld)) - 1;
-  for_stages(threads, index, kSweeps, [&](int stage, const Run& r) { sweep(stage, r); });
+  for_stages(threads, index, kSweeps, [&](int stage, const Run& r) {
+    if (stage == 0)
+      for (const WorkPlane* p : {&work.x.pressure_m_s, &work.x.mass_m})
+        fetch_row_ahead(*p, r.y, r.x0, r.x1);
+    sweep(stage, r);
+  });
   // Lower faces: those to the left and right drag, which lie in the same row.
   threads.for_ranges(
       0, static_cast<int>(index.runs().size()), kRunsPerTask, [&](int begin, int end) {
