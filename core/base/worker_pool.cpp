@@ -13,7 +13,7 @@ namespace pentimento {
 
 namespace {
 // Ranges for each thread: enough that one that is held up does not hold up the loop.
-constexpr std::int64_t kRangesPerThread = 8;
+constexpr std::int64_t kRangesPerThread = 16;
 // How often a worker offers its core before it sleeps, for some 0.3 ms: loops of a step follow one
 // another within tens of microseconds, steps of small paintings within hundreds, and to be woken
 // takes some ten.

@@ -78,6 +78,13 @@ bool any_gives_way(const float* mobility, const float* friction, int n) {
 }
 
 PENTIMENTO_KERNEL
+bool any_above_zero(const float* value, int n) {
+  int any = 0;
+  for (int i = 0; i < n; ++i) any |= static_cast<int>(value[i] > 0);
+  return any != 0;
+}
+
+PENTIMENTO_KERNEL
 void height_row(const float* __restrict base, const float* __restrict depth, int n,
                 float* __restrict height) {
   for (int i = 0; i < n; ++i) height[i] = base[i] + depth[i];
@@ -569,8 +576,7 @@ void ConservativeScheme::solve_height(CanvasState& state, const StepInput& in) {
 bool ConservativeScheme::feels_gravity(const CellBox& b) const {
   for (const NodePlanes* n : {&work_.x, &work_.y})
     for (int y = b.y0 - 1; y < b.y1; ++y)
-      for (int x = b.x0 - 1; x < b.x1; ++x)
-        if (n->mobility_frac.row(y)[x] > 0) return true;
+      if (any_above_zero(n->mobility_frac.row(y) + b.x0 - 1, b.x1 - b.x0 + 1)) return true;
   return false;
 }
 

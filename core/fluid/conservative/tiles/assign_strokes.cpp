@@ -28,25 +28,25 @@ std::uint32_t latest_around(const Field<std::uint32_t>& stroke, int x, int y) {
   if (y + 1 < stroke.height()) latest = std::max(latest, stroke(x, y + 1));
   return latest;
 }
+// The cells of a run that have paint and no stroke, but a stroke beside them.
+void find_unassigned(const CanvasState& state, const Run& r, std::vector<Assignment>& found) {
+  for (int x = r.x0; x < r.x1; ++x) {
+    if (!(state.depth_m(x, r.y) > 0) || state.stroke(x, r.y) != 0) continue;
+    const std::uint32_t stroke = latest_around(state.stroke, x, r.y);
+    if (stroke != 0) found.push_back({x, r.y, stroke});
+  }
+}
 }  // namespace
 
 void assign_strokes(CanvasState& state, const std::vector<Run>& runs, const Threads& threads) {
-  std::vector<std::uint8_t> has(runs.size(), 0);
+  // All are found before any is written, so that it does not matter who comes first.
+  std::vector<std::vector<Assignment>> found(runs.size());
   for_runs(threads, runs, [&](const Run& r) {
-    has[static_cast<std::size_t>(&r - runs.data())] =
-        any_unassigned(state.depth_m.row(r.y) + r.x0, state.stroke.row(r.y) + r.x0, r.size());
+    if (any_unassigned(state.depth_m.row(r.y) + r.x0, state.stroke.row(r.y) + r.x0, r.size()))
+      find_unassigned(state, r, found[static_cast<std::size_t>(&r - runs.data())]);
   });
-  std::vector<Assignment> assignments;
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    if (has[i] == 0) continue;
-    const Run& r = runs[i];
-    for (int x = r.x0; x < r.x1; ++x) {
-      if (!(state.depth_m(x, r.y) > 0) || state.stroke(x, r.y) != 0) continue;
-      const std::uint32_t stroke = latest_around(state.stroke, x, r.y);
-      if (stroke != 0) assignments.push_back({x, r.y, stroke});
-    }
-  }
-  for (const Assignment& c : assignments) state.stroke(c.x, c.y) = c.stroke;
+  for (const std::vector<Assignment>& of_run : found)
+    for (const Assignment& c : of_run) state.stroke(c.x, c.y) = c.stroke;
 }
 
 }  // namespace pentimento::conservative
