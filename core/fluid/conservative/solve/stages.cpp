@@ -11,7 +11,7 @@ constexpr std::int64_t kCellsAndStagesPerTask = 16384;
 
 using Pass = std::function<void(int stage, const Run& run)>;
 
-/// RowSpan whose stages are done in one go.
+/// Rows whose stages are done in one go.
 struct Band {
   RowSpan rows;
   bool first = true, last = true;  // of its span: nothing depends on the rows beyond

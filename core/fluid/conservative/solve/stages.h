@@ -10,7 +10,7 @@
 
 namespace pentimento::conservative {
 
-/// RowSpan [y0, y1).
+/// Rows [y0, y1).
 struct RowSpan {
   int y0 = 0, y1 = 0;
 };
@@ -48,9 +48,9 @@ class RunIndex {
 /// that later stages overwrite it finds them as they were.
 /// Scheme: bands of rows, a few for each thread, with as many cells each. In each band the stages
 ///   follow one another down the rows, each one row behind the stage before, so that they share few
-///   rows. A band shrinks by a row with each stage. Then the gaps between the bands are filled,
-///   which grow in the same way (Wonnacott, Int. J. Parallel Program. 30 (2002) 181-221). RowSpan
-///   without a run part what is above from what is below.
+///   rows. A band shrinks by a row with each stage. The gap between two bands, which grows in the
+///   same way, is filled by whoever is done with the second of them (Wonnacott, Int. J. Parallel
+///   Program. 30 (2002) 181-221). Rows without a run part what is above from what is below.
 /// The result does not depend on how many cells a band has.
 void for_stages(const Threads& threads, const RunIndex& index, int stages,
                 const std::function<void(int stage, const Run& run)>& pass);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 namespace pentimento::conservative {
@@ -107,6 +108,29 @@ TEST(DragRow, ANeighbourThatStandsDragsWithThePaintsOwnViscosity) {
   film.depth = {1, 1, 1};
   film.sweep(1);
   EXPECT_NEAR(film.response[1], 0.1f / 3 + 2.0f / 3 / (10 + 2 * 3 * 52), 1e-7f);
+}
+
+// Wet, dry and closed faces, whose neighbours at both ends stand; then a shorter row.
+TEST(DragRow, ARowByItselfHasTheBitsOfSweepAfterSweep) {
+  DragAlongRow along;
+  std::uint32_t seed = 1;
+  const auto random = [&] { return static_cast<float>((seed = seed * 1664525 + 1013904223) >> 8); };
+  for (const std::size_t count : {std::size_t{83}, std::size_t{35}}) {
+    Faces faces(count);
+    faces.per_d2 = 30;
+    for (std::size_t i = 0; i < count; ++i) {
+      faces.depth[i] = random() < 0x1p22f ? 0.0f : random();
+      faces.nu[i] = random() * 0x1p-24f;
+      faces.friction[i] = random() < 0x1p22f ? 0.0f : random() * 0x1p-24f;
+    }
+    faces.friction.front() = faces.friction.back() = 0;
+    faces.depth.back() = -1;
+    std::vector<float> friction = faces.friction;
+    along.sweep(4, &faces.depth[1], &faces.nu[1], faces.per_d2, static_cast<int>(count) - 2,
+                &friction[1]);
+    faces.sweep(4);
+    for (std::size_t i = 1; i + 1 < count; ++i) EXPECT_EQ(friction[i], faces.response[i]) << i;
+  }
 }
 
 }  // namespace
