@@ -9,7 +9,7 @@ namespace {
 // A band is worth some ten microseconds: smaller ones have more gaps between them than they save.
 constexpr std::int64_t kCellsAndStagesPerTask = 16384;
 
-using Pass = std::function<void(int stage, const Run& run)>;
+using StagePass = std::function<void(int stage, const Run& run)>;
 
 /// Rows whose stages are done in one go.
 struct Band {
@@ -45,7 +45,7 @@ RowSpan rows_of_stage(const Band& band, int s) {
 }
 
 // The stages of a band follow one another down the rows.
-void do_band(const Band& band, const RunIndex& index, int stages, const Pass& pass) {
+void do_band(const Band& band, const RunIndex& index, int stages, const StagePass& pass) {
   for (int y = band.rows.y0; y < band.rows.y1 + stages - 1; ++y)
     for (int s = 0; s < stages; ++s) {
       const RowSpan rows = rows_of_stage(band, s);
@@ -55,7 +55,7 @@ void do_band(const Band& band, const RunIndex& index, int stages, const Pass& pa
 }
 
 // What two bands left to do around the border between them, once both are done.
-void fill_gap(int border, const RunIndex& index, int stages, const Pass& pass) {
+void fill_gap(int border, const RunIndex& index, int stages, const StagePass& pass) {
   for (int s = 1; s < stages; ++s)
     for (int y = border - s; y < border + s; ++y)
       index.for_row(y, [&](const Run& r) { pass(s, r); });
@@ -79,7 +79,7 @@ RunIndex::RunIndex(std::vector<Run> runs, int height) : runs_(std::move(runs)) {
   }
 }
 
-void for_stages(const Threads& threads, const RunIndex& index, int stages, const Pass& pass) {
+void for_stages(const Threads& threads, const RunIndex& index, int stages, const StagePass& pass) {
   const std::int64_t all = index.cells();
   const int parts = threads.count() == 1 ? 1 : 4 * threads.count();
   for_stages_in(std::max((all + parts - 1) / parts, kCellsAndStagesPerTask / stages), threads,
@@ -87,7 +87,7 @@ void for_stages(const Threads& threads, const RunIndex& index, int stages, const
 }
 
 void for_stages_in(std::int64_t cells, const Threads& threads, const RunIndex& index, int stages,
-                   const Pass& pass) {
+                   const StagePass& pass) {
   const std::vector<Band> bands = cut_into_bands(index, stages, cells);
   // How many of the two bands beside the border above a band are done.
   std::vector<std::atomic<int>> done(bands.size() + 1);
