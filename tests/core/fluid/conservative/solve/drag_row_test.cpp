@@ -110,7 +110,8 @@ TEST(DragRow, ANeighbourThatStandsDragsWithThePaintsOwnViscosity) {
   EXPECT_NEAR(film.response[1], 0.1f / 3 + 2.0f / 3 / (10 + 2 * 3 * 52), 1e-7f);
 }
 
-// Wet, dry and closed faces, whose neighbours at both ends stand; then a shorter row.
+// Wet and dry faces between two that stand, of which the last lies beyond the canvas; then a
+// shorter row, which ends at a dry face.
 TEST(DragRow, ARowByItselfHasTheBitsOfSweepAfterSweep) {
   DragAlongRow along;
   std::uint32_t seed = 1;
@@ -124,7 +125,7 @@ TEST(DragRow, ARowByItselfHasTheBitsOfSweepAfterSweep) {
       faces.friction[i] = random() < 0x1p22f ? 0.0f : random() * 0x1p-24f;
     }
     faces.friction.front() = faces.friction.back() = 0;
-    faces.depth.back() = -1;
+    faces.depth.back() = count > 50 ? -1.0f : 0.0f;
     std::vector<float> friction = faces.friction;
     along.sweep(4, &faces.depth[1], &faces.nu[1], faces.per_d2, static_cast<int>(count) - 2,
                 &friction[1]);
