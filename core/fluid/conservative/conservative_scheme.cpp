@@ -13,6 +13,7 @@
 #include "core/fluid/conservative/contact_line.h"
 #include "core/fluid/conservative/solve/capillary_row.h"
 #include "core/fluid/conservative/solve/find_drag.h"
+#include "core/fluid/conservative/solve/force_in_box.h"
 #include "core/fluid/conservative/solve/force_row.h"
 #include "core/fluid/conservative/solve/height_row.h"
 #include "core/fluid/conservative/solve/viscous_row.h"
@@ -67,21 +68,6 @@ int parts_of_step(const Model& model, float travel_cells) {
 
 float positive(float x) {
   return x > 0 ? x : 0.0f;
-}
-
-// Whether any face of a row has a mobility and is not held.
-PENTIMENTO_KERNEL
-bool any_gives_way(const float* mobility, const float* friction, int n) {
-  int any = 0;
-  for (int i = 0; i < n; ++i) any |= static_cast<int>((mobility[i] > 0) & (friction[i] > 0));
-  return any != 0;
-}
-
-PENTIMENTO_KERNEL
-bool any_above_zero(const float* value, int n) {
-  int any = 0;
-  for (int i = 0; i < n; ++i) any |= static_cast<int>(value[i] > 0);
-  return any != 0;
 }
 
 PENTIMENTO_KERNEL
@@ -161,7 +147,7 @@ bool ConservativeScheme::step(CanvasState& state, const StepInput& in) {
         part);
   }
   // 8. Tiles fall asleep: finds the tiles that came to rest.
-  tiles_->fall_asleep(state, in, [&](const CellBox& b) { return feels_gravity(b); });
+  tiles_->fall_asleep(state, in, [&](const CellBox& b) { return feels_gravity(work_, b); });
   passed("sleep");
   // 9. Account: maxima for the reports. It changes nothing of the state.
   report_.add(state, wet_.runs(), tiles_->awake_share(), in.threads);
@@ -270,8 +256,9 @@ void ConservativeScheme::find_rheology(const CanvasState& state, const StepInput
 void ConservativeScheme::find_live(const StepInput& in) {
   // Where gravity moves stiff paint too (reading (b) of A7), all paint gives way.
   const bool all = !in.model.phi_scales_lateral;
-  live_.find(*tiles_, in.threads,
-             [&](int tile) { return all || tiles_->moves(tile) || gives_way(tiles_->box(tile)); });
+  live_.find(*tiles_, in.threads, [&](int tile) {
+    return all || tiles_->moves(tile) || gives_way(work_, tiles_->box(tile));
+  });
 }
 
 // Which cells a part of a step is for. In all others the planes of the work and the velocities hold
@@ -292,16 +279,6 @@ void ConservativeScheme::find_wet(CanvasState& state, const StepInput& in, float
                  });
   wet_before_ = wet_.runs();
   knows_before_ = true;
-}
-
-// Whether a force would move any paint: at a face that is not held.
-bool ConservativeScheme::gives_way(const CellBox& b) const {
-  for (const NodePlanes* n : {&work_.x, &work_.y})
-    for (int y = b.y0 - 1; y < b.y1; ++y)
-      if (any_gives_way(n->mobility_frac.row(y) + b.x0 - 1, n->friction_frac.row(y) + b.x0 - 1,
-                        b.x1 - b.x0 + 1))
-        return true;
-  return false;
 }
 
 void ConservativeScheme::find_faces(const CanvasState& state, const StepInput& in, const Run& r) {
@@ -571,13 +548,6 @@ void ConservativeScheme::solve_height(CanvasState& state, const StepInput& in) {
                                [&](const Run& r) { fill_height(state, in, r); }},
                       .finish = [&](const Run& r) { finish(in, r); }});
   for_runs(in.threads, live_runs_, [&](const Run& r) { stand(state, in, r); });
-}
-
-bool ConservativeScheme::feels_gravity(const CellBox& b) const {
-  for (const NodePlanes* n : {&work_.x, &work_.y})
-    for (int y = b.y0 - 1; y < b.y1; ++y)
-      if (any_above_zero(n->mobility_frac.row(y) + b.x0 - 1, b.x1 - b.x0 + 1)) return true;
-  return false;
 }
 
 std::vector<double> ConservativeScheme::memory() const {

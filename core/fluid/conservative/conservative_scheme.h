@@ -73,8 +73,6 @@ class ConservativeScheme : public FluidScheme {
   void fill_height(const CanvasState& state, const StepInput& in, const Run& r);
   void finish(const StepInput& in, const Run& r);
   void stand(CanvasState& state, const StepInput& in, const Run& r) const;
-  bool gives_way(const CellBox& box) const;
-  bool feels_gravity(const CellBox& box) const;
 
   CanvasGeometry geometry_;
   std::unique_ptr<SleepTiles> tiles_;  // made at the first step: their size is a parameter

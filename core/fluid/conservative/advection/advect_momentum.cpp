@@ -7,7 +7,6 @@
 #include "core/fluid/conservative/advection/momentum_edges.h"
 #include "core/fluid/conservative/advection/momentum_stream.h"
 #include "core/fluid/conservative/advection/paint_rows.h"
-#include "core/fluid/conservative/advection/remap_momentum.h"
 
 namespace pentimento::conservative {
 namespace {
@@ -87,7 +86,7 @@ class MomentumRow {
   const float* load(const float* row, Field<float>& to) const {
     float* copy = nodes(to);
     std::copy_n(row + r_.x0, r_.size(), copy);
-    mirror_ends(copy, r_.size(), 1);
+    mirror_ends(copy, r_.size());
     return copy;
   }
   // Fluid that moves further than to the next node is added last; momentum then becomes velocity.

@@ -94,7 +94,7 @@ class PaintRow {
   float* load(const float* from) {
     float* value = cells(value_);
     std::copy_n(from, n_, value);
-    mirror_ends(value, n_, 1);
+    mirror_ends(value, n_);
     return value;
   }
 
@@ -166,7 +166,7 @@ class PaintRow {
   void move_bottom(float* amount) {
     float* free = cells(value_);
     split_residue_row(amount, cells(share_), amount_options_.rounder, n_, cells(held_), free);
-    mirror_ends(free, n_, 1);
+    mirror_ends(free, n_);
     leave(amount_options_, free);
     gather_beside_rows(cells(stay_), parts(), free, cells(held_), n_, amount);
     add_far(amount_options_, free, amount);

@@ -22,8 +22,8 @@ constexpr float kMostDepthShare = 1.19f;
 /// Source: ours; an inelastic collision. Without it, streams of a time step longer than
 ///   1 / |du/dx| pass through one another and pile up without bound (docs/numerics.md).
 /// Departs from it: nothing.
-/// `depth_m` has `step` more cells before and after; `edge` as in RemapPlan. Returns whether any
-/// edge moved.
+/// `depth_m` has `step` more cells before and after; cell i lies between the edges i and i + `step`
+/// of `edge`. Returns whether any edge moved.
 bool limit_crowding(const CrowdLines& lines, const float* depth_m, float* edge);
 
 /// A row of cells: its two rows of edges, its depth, and the depth of the cells before and after

@@ -1,11 +1,11 @@
 #pragma once
-// Line batches: a rectangle of cells as the flat array that the remap works on (remap_plan.h). It
-// is a run of a row that moves along x, or a strip of columns that moves along y.
+// Line batches: a rectangle of cells that moves along one axis. It is a run of a row that moves
+// along x, or a strip of columns that moves along y. In a flat array, the neighbours of a cell
+// along the axis lie step() apart.
 
 #include <algorithm>
 
 #include "core/fluid/conservative/advection/advection.h"
-#include "core/fluid/conservative/advection/remap_row.h"
 #include "core/fluid/conservative/tiles/wet_cells.h"
 
 namespace pentimento::conservative {

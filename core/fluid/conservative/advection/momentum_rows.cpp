@@ -4,7 +4,6 @@
 
 #include "core/base/kernel.h"
 #include "core/fluid/conservative/advection/limiter.h"
-#include "core/fluid/conservative/advection/remap_momentum.h"
 #include "core/fluid/conservative/advection/remap_plan.h"
 
 namespace pentimento::conservative {
@@ -107,6 +106,15 @@ void settle_momentum_rows(const float* stay, const Parts& mass, const Parts& mom
 void settle_resting_rows(const NodesBefore& before, bool divide, int n, const NodesAfter& after) {
   momentum_row(before, n, after);
   if (divide) velocity_row(after.mass, after.velocity, n);
+}
+
+PENTIMENTO_KERNEL
+void velocity_row(float* __restrict mass, float* __restrict momentum, int n) {
+  for (int i = 0; i < n; ++i) {
+    const bool some = mass[i] > kLeastNodeMass_m;
+    momentum[i] = some ? momentum[i] / (some ? mass[i] : 1.0f) : 0.0f;
+    mass[i] = some ? mass[i] : 0.0f;
+  }
 }
 
 }  // namespace pentimento::conservative

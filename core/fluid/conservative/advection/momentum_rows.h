@@ -1,7 +1,11 @@
 #pragma once
-// The kernels that move the fluid around velocity nodes, with its momentum, row by row. Each does
-// in one pass what remap_momentum_batch() does in several, one after the other: equations, scheme
-// and sources are there (remap_momentum.h, remap_plan.h, remap_row.h), and the bits are the same.
+// The kernels that move the fluid around velocity nodes, with its momentum, row by row.
+//   m' = sum of parts of m; u' = (sum of parts of m, times their u) / m'
+// Scheme: that of remap_plan.h and remap_rows.h, without rounding; piecewise linear in m and u, 2nd
+//   order where smooth.
+// Stable: any displacement; u' stays within the velocities of the parts.
+// Source: Lauritzen et al. 2010 (remap_plan.h); momentum on the staggered cell.
+// Departs from it: the part that stays has the momentum that is left, so that sums are kept.
 
 #include "core/fluid/conservative/advection/remap_rows.h"
 
@@ -41,5 +45,10 @@ void settle_momentum_rows(const float* stay, const Parts& mass, const Parts& mom
                           const NodesBefore& before, int n, const NodesAfter& after);
 /// The same for nodes that pass nothing, and get nothing, beside far ones.
 void settle_resting_rows(const NodesBefore& before, bool divide, int n, const NodesAfter& after);
+
+/// Paint around a node that carries no momentum worth keeping, in metres.
+inline constexpr float kLeastNodeMass_m = 1e-9f;
+/// Turns momentum into velocity, and empties nodes with next to no paint.
+void velocity_row(float* mass, float* momentum, int n);
 
 }  // namespace pentimento::conservative

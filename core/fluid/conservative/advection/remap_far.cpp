@@ -55,20 +55,6 @@ float far_slope(const RemapOptions& options, const ThreeRows& value, int i) {
   return options.superbee ? limited_superbee(below, above) : limited_mc(below, above);
 }
 
-std::vector<FarCell> take_far_cells(const RemapPlan& plan, const RemapOptions& options,
-                                    const float* value) {
-  std::vector<FarCell> far;
-  for (const int i : plan.far) {
-    if (value[i] == 0) continue;
-    const float slope = far_slope(options, {value - plan.step, value, value + plan.step}, i);
-    const auto cell = static_cast<std::size_t>(i);
-    const auto next = static_cast<std::size_t>(i + plan.step);
-    far.push_back(
-        {i / plan.step, i % plan.step, plan.edge[cell], plan.edge[next], value[i], slope});
-  }
-  return far;
-}
-
 std::vector<FarCell> take_far_cells(const std::vector<int>& far, const float* edge,
                                     const RemapOptions& options, const ThreeRows& value) {
   std::vector<FarCell> taken;

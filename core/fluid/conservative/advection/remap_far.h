@@ -30,12 +30,7 @@ using FarTarget = std::function<float&(int at, int lane)>;
 /// The limited difference across cell i, which is a far cell's slope.
 float far_slope(const RemapOptions& options, const ThreeRows& value, int i);
 
-/// Takes the far cells of a plan. `value` has valid ghost cells.
-std::vector<FarCell> take_far_cells(const RemapPlan& plan, const RemapOptions& options,
-                                    const float* value);
-
-/// The same for the cells `far` of a single line. Cell i lies between the edges i and i + 1 of
-/// `edge`.
+/// Takes the cells `far` of a single line. Cell i lies between the edges i and i + 1 of `edge`.
 std::vector<FarCell> take_far_cells(const std::vector<int>& far, const float* edge,
                                     const RemapOptions& options, const ThreeRows& value);
 

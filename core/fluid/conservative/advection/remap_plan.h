@@ -1,34 +1,14 @@
 #pragma once
-// The plan of a remap: where the parts of each cell of a batch go when its two edges move. All
+// The plan of a remap: where the parts of each cell of a line go when its two edges move. All
 // quantities that move with the same velocity share a plan.
-//
-// A batch is a flat array of n cells. Neighbours along the axis of motion lie `step` apart in it: 1
-// for a row that moves along x, the width of the strip for columns that move along y.
 
 #include <cmath>
-#include <vector>
 
 namespace pentimento::conservative {
 
-/// The shares of a batch's cells that move. The share tau_lo of a cell goes over its low edge,
-/// tau_hi over its high edge; both are shares of its length, in [0,1]. `stay` is 1, but 0 for far
-/// cells: cells whose parts reach further than the next cell, or whose edges change order.
-/// put_far_cells() moves far cells as a whole.
-struct RemapPlan {
-  int step = 1;
-  int before = 0;           // cells of the grid before the batch, along the axis of motion
-  std::vector<float> edge;  // n + step displacements in cells; cell i has edges i and i + step
-  std::vector<float> tau_lo, tau_hi, stay;  // n
-  std::vector<int> far;                     // cells with stay = 0, ascending
-
-  void resize(int cells, int step_cells);
-  int cells() const { return static_cast<int>(stay.size()); }
-};
-
-/// Fills all of a plan but `edge`, from `edge`.
-void plan_remap(RemapPlan& plan);
-
-/// The shares of one cell.
+/// Which shares of a cell's length go over its low edge (tau_lo) and over its high edge (tau_hi),
+/// both in [0,1]. A far cell is one whose parts reach further than the next cell, or whose edges
+/// change order: it passes nothing, and put_far_cells() moves it as a whole.
 struct RemapShares {
   float lo, hi;  // tau_lo, tau_hi
   float near;    // 1, or 0 for a far cell

@@ -76,4 +76,9 @@ void gather_beside_rows(const float* __restrict stay, const Parts& parts,
   }
 }
 
+void mirror_ends(float* value, int n) {
+  value[-1] = value[0];
+  value[n] = value[n - 1];
+}
+
 }  // namespace pentimento::conservative

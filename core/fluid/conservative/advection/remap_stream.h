@@ -1,8 +1,7 @@
 #pragma once
-// The forward remap (remap_plan.h, remap_row.h) along y, in place, row after row. What leaves row r
-// follows from rows r-1 to r+1 as they were. What row r becomes follows from what leaves rows r-1
-// to r+1. So a window of three rows is enough. It gives the same bits as remap_batch() on the same
-// columns.
+// The forward remap (remap_plan.h, remap_rows.h) along y, in place, row after row. What leaves row
+// r follows from rows r-1 to r+1 as they were. What row r becomes follows from what leaves rows r-1
+// to r+1. So a window of three rows is enough.
 
 #include <array>
 #include <vector>

@@ -4,8 +4,8 @@
 
 #include "core/fluid/conservative/advection/advection.h"
 #include "core/fluid/conservative/advection/momentum_edges.h"
-#include "core/fluid/conservative/advection/remap_momentum.h"
 #include "tests/core/fluid/conservative/plain_batches.h"
+#include "tests/core/fluid/conservative/plain_remap.h"
 
 namespace pentimento::conservative {
 

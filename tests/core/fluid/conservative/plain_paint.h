@@ -9,6 +9,7 @@
 #include "core/fluid/conservative/advection/layer_speed_row.h"
 #include "core/fluid/conservative/tiles/quantum.h"
 #include "tests/core/fluid/conservative/plain_batches.h"
+#include "tests/core/fluid/conservative/plain_remap.h"
 
 namespace pentimento::conservative {
 // Everything one thread needs to move the paint of a batch; buffers are kept between batches.
@@ -87,7 +88,7 @@ class PlainPaintMover {
       plan_.edge[e] = flow_[e] + 0.5f * push_[e];  // (k + 1/2)/n is 1/2 in the mean over layers
     float* value = scratch_.cells(scratch_.value, plan_.step);
     load_batch(b, state_.depth_m, value);
-    mirror_ends(value, b.cells(), plan_.step);
+    mirror_batch(value, b.cells(), plan_.step);
     const CrowdLines lines{b.cells() / plan_.step, plan_.step,
                            kMostDepthShare * in_.model.max_medium_m};
     if (limit_crowding(lines, value, plan_.edge.data()))

@@ -6,8 +6,8 @@
 #include <numeric>
 
 #include "core/fluid/conservative/advection/crowd_limit.h"
-#include "core/fluid/conservative/advection/remap_momentum.h"
 #include "core/fluid/conservative/tiles/quantum.h"
+#include "tests/core/fluid/conservative/plain_remap.h"
 
 namespace pentimento::conservative {
 namespace {
