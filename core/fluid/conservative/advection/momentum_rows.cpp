@@ -1,7 +1,5 @@
 #include "core/fluid/conservative/advection/momentum_rows.h"
 
-#include <algorithm>
-
 #include "core/base/kernel.h"
 #include "core/fluid/conservative/advection/limiter.h"
 #include "core/fluid/conservative/advection/remap_plan.h"

@@ -13,13 +13,13 @@ namespace pentimento::conservative {
 /// The nodes of one component of the velocity.
 struct NodePlanes {
   WorkPlane first_mass_m;    // paint around the node before anything moved
-  WorkPlane mass_m;          // the same paint after it moved; then a sweep of the drag
+  WorkPlane mass_m;          // the same paint after it moved; then a drag sweep (x)
   WorkPlane velocity_m_s;    // u~, then u
   WorkPlane depth_m;         // of the face; 0 = dry or closed; negative = beyond the canvas
   WorkPlane mobility_frac;   // 1 - Phi, 0 where the film is too thin to feel gravity
   WorkPlane viscosity_m2_s;  // nu, at least the floor
   WorkPlane friction_frac;   // what the bed, then paint beside it too, leaves of a velocity
-  WorkPlane pressure_m_s;    // a sweep of the drag, `held` (capillary_row.h), speed per unit slope
+  WorkPlane pressure_m_s;    // a drag sweep (x), `held` (capillary_row.h), speed per unit slope
 };
 
 struct Workspace {
